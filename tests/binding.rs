@@ -4,7 +4,7 @@ use super::support::{gpu, rig::UPLOADED};
 use ash::vk;
 use atrous::config::Preset;
 use atrous::executor::{Executor, ExecutorOptions, HostImage};
-use atrous::{Config, Declaration, Error, FrameParams, Lifetime, ResourceDecl, Shape, Tuning};
+use atrous::{Config, Declaration, Error, FrameParams, Lifetime, ResourceDecl, Shape, Subresource, Tuning};
 use atrous_harness::DeviceTest;
 
 pub const TESTS: &[DeviceTest] = &[
@@ -23,7 +23,8 @@ fn executor() -> Executor {
 /// Never used: nothing is recorded.
 fn image(format: vk::Format, extent: [u32; 2]) -> HostImage {
     let (stage, access, layout) = UPLOADED;
-    HostImage { image: vk::Image::null(), view: vk::ImageView::null(), format, extent, layout, stage, access }
+    let subresource = Subresource::default();
+    HostImage { image: vk::Image::null(), view: vk::ImageView::null(), subresource, format, extent, layout, stage, access }
 }
 
 fn bind_buffer(executor: &mut Executor, name: &str, size: u64) -> Result<(), Error> {

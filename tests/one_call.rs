@@ -8,13 +8,17 @@ use ash::vk;
 use ash::vk::Handle;
 use atrous::config::PostProcess;
 use atrous::executor::{ExecutorOptions, HostImage, LentImage};
-use atrous::{Access, Config, Device, Error, FrameContext, FrameParams, Phase, ResetReason, ResourceState, Tuning, UseFrame};
+use atrous::{
+    Access, Config, Device, Error, FrameContext, FrameParams, Phase, ResetReason, ResourceState, Subresource, Tuning, UseFrame,
+};
 use atrous_harness::DeviceTest;
 use atrous_synthetic as synthetic;
 use std::ffi::c_void;
 
 pub const TESTS: &[DeviceTest] = &[
     ("a_frame_in_one_call_gives_the_bits_of_the_executor", a_frame_in_one_call_gives_the_bits_of_the_executor),
+    ("one_layer_and_mip_level_of_larger_images_gives_the_same_bits", one_layer_and_mip_level_of_larger_images_gives_the_same_bits),
+    ("images_that_stay_in_general_give_the_same_bits", images_that_stay_in_general_give_the_same_bits),
     ("a_depth_image_is_sampled_in_its_read_only_layout", a_depth_image_is_sampled_in_its_read_only_layout),
     ("an_output_is_handed_back_behind_the_last_phase", an_output_is_handed_back_behind_the_last_phase),
     ("what_is_not_lent_is_left_out", what_is_not_lent_is_left_out),
@@ -41,7 +45,12 @@ struct Host {
 }
 
 impl Host {
-    fn new(mut rig: Rig, depth: vk::Format) -> Self {
+    fn new(rig: Rig, depth: vk::Format) -> Self {
+        Self::at(rig, depth, Subresource::default())
+    }
+
+    /// A host whose images are one layer and mip level of larger ones.
+    fn at(mut rig: Rig, depth: vk::Format, subresource: Subresource) -> Self {
         let usage = vk::ImageUsageFlags::SAMPLED | vk::ImageUsageFlags::TRANSFER_DST | vk::ImageUsageFlags::TRANSFER_SRC;
         let mut images = Vec::new();
         for name in synthetic::NAMES.into_iter().chain(["surface_id"]) {
@@ -52,12 +61,13 @@ impl Host {
             };
             let is_depth = aspect == vk::ImageAspectFlags::DEPTH;
             let attachment = if is_depth { vk::ImageUsageFlags::DEPTH_STENCIL_ATTACHMENT } else { vk::ImageUsageFlags::empty() };
-            let image = rig.image(name, format, synthetic::EXTENT, aspect, usage | attachment);
+            let image = rig.image_at(name, format, synthetic::EXTENT, aspect, usage | attachment, subresource);
             let ResourceState { stage, access, layout, .. } = DEPTH_READ;
             images.push((name, if is_depth { HostImage { stage, access, layout, ..image } } else { image }));
         }
         let (format, colour) = (vk::Format::R16G16B16A16_SFLOAT, vk::ImageAspectFlags::COLOR);
-        let output = rig.image("denoised_radiance", format, synthetic::EXTENT, colour, usage | vk::ImageUsageFlags::STORAGE);
+        let written = usage | vk::ImageUsageFlags::STORAGE;
+        let output = rig.image_at("denoised_radiance", format, synthetic::EXTENT, colour, written, subresource);
         let ResourceState { stage, access, layout, .. } = ResourceState::UNDEFINED;
         let (staging, result) = (rig.staging((images.len() + 1) * TEXELS * 16), rig.staging(TEXELS * 8));
         Self { rig, images, output: HostImage { stage, access, layout, ..output }, staging, result }
@@ -90,7 +100,7 @@ impl Host {
     fn upload(&mut self, cmd: vk::CommandBuffer, index: u32) {
         if self.output.layout != vk::ImageLayout::UNDEFINED {
             let ready = ResourceState::new(self.output.stage, self.output.access, self.output.layout);
-            self.barrier(cmd, self.output.image, vk::ImageAspectFlags::COLOR, ResourceState::UNDEFINED, ready);
+            self.barrier(cmd, &self.output, vk::ImageAspectFlags::COLOR, ResourceState::UNDEFINED, ready);
         }
         let input = synthetic::Frame::new(index);
         let images = self.images.clone();
@@ -106,13 +116,14 @@ impl Host {
             let aspect = if is_depth { vk::ImageAspectFlags::DEPTH } else { vk::ImageAspectFlags::COLOR };
             let (stage, access, layout) = UPLOADED;
             let uploaded = ResourceState::new(stage, access, layout);
-            self.barrier(cmd, image.image, aspect, ResourceState::UNDEFINED, uploaded);
-            let region = region(aspect, i * TEXELS * 16);
+            self.barrier(cmd, image, aspect, ResourceState::UNDEFINED, uploaded);
+            let region = region(image, aspect, i * TEXELS * 16);
             let device = self.rig.gpu.device();
             // SAFETY: the command buffer is recording; the image is live and in this layout.
             unsafe { device.cmd_copy_buffer_to_image(cmd, self.staging.0, image.image, layout, &[region]) };
-            if is_depth {
-                self.barrier(cmd, image.image, aspect, uploaded, DEPTH_READ);
+            let lent = ResourceState::new(image.stage, image.access, image.layout);
+            if lent != uploaded {
+                self.barrier(cmd, image, aspect, uploaded, lent);
             }
         }
     }
@@ -120,14 +131,19 @@ impl Host {
     fn barrier(
         &self,
         cmd: vk::CommandBuffer,
-        image: vk::Image,
+        image: &HostImage,
         aspect_mask: vk::ImageAspectFlags,
         from: ResourceState,
         to: ResourceState,
     ) {
         let barrier = vk::ImageMemoryBarrier2::default()
-            .image(image)
-            .subresource_range(vk::ImageSubresourceRange { aspect_mask, ..whole() })
+            .image(image.image)
+            .subresource_range(vk::ImageSubresourceRange {
+                aspect_mask,
+                base_array_layer: image.subresource.layer,
+                base_mip_level: image.subresource.level,
+                ..whole()
+            })
             .src_stage_mask(from.stage)
             .src_access_mask(from.access)
             .old_layout(from.layout)
@@ -159,7 +175,7 @@ impl Host {
         let free = (self.staging.0, self.images.len() * TEXELS * 16);
         for (name, (target, offset)) in [("normal", free), ("denoised_radiance", (self.result.0, 0))] {
             let Some(left) = lent.iter().find(|image| image.name == name) else { continue };
-            let region = region(vk::ImageAspectFlags::COLOR, offset);
+            let region = region(&left.image, vk::ImageAspectFlags::COLOR, offset);
             // SAFETY: the command buffer is recording, and the buffer has room for the image.
             unsafe { device.cmd_copy_image_to_buffer(cmd, left.image.image, ResourceState::COPY_SOURCE.layout, target, &[region]) };
         }
@@ -177,15 +193,41 @@ impl Host {
     }
 }
 
-fn region(aspect: vk::ImageAspectFlags, offset: usize) -> vk::BufferImageCopy {
+fn region(image: &HostImage, aspect: vk::ImageAspectFlags, offset: usize) -> vk::BufferImageCopy {
     let [width, height] = synthetic::EXTENT;
-    let layers = vk::ImageSubresourceLayers::default().aspect_mask(aspect).layer_count(1);
+    let Subresource { layer, level } = image.subresource;
+    let layers = vk::ImageSubresourceLayers { aspect_mask: aspect, mip_level: level, base_array_layer: layer, layer_count: 1 };
     let region = vk::BufferImageCopy::default().buffer_offset(offset as u64).image_subresource(layers);
     region.image_extent(vk::Extent3D { width, height, depth: 1 })
 }
 
 fn a_frame_in_one_call_gives_the_bits_of_the_executor() {
     assert_eq!(Host::on_gpu(ExecutorOptions::default()).frames(), of_executor());
+    assert_valid();
+}
+
+/// The others are undefined, so that a barrier or a copy that names one of them is invalid.
+fn one_layer_and_mip_level_of_larger_images_gives_the_same_bits() {
+    for (legacy_barriers, depth) in [(false, vk::Format::UNDEFINED), (true, vk::Format::D32_SFLOAT)] {
+        let options = ExecutorOptions { legacy_barriers, poison: !legacy_barriers, ..Default::default() };
+        let rig = Rig::with_options(gpu(), &Config::new(synthetic::EXTENT), 1, options);
+        let mut host = Host::at(rig, depth, Subresource { layer: 2, level: 1 });
+        assert_eq!(host.frames(), of_executor());
+    }
+    assert_valid();
+}
+
+/// An engine with one layout for all images.
+fn images_that_stay_in_general_give_the_same_bits() {
+    for poison in [false, true] {
+        let mut host = Host::on_gpu(ExecutorOptions { stay_in_general: true, poison, ..Default::default() });
+        let (stage, access) =
+            (vk::PipelineStageFlags2::ALL_COMMANDS, vk::AccessFlags2::MEMORY_READ | vk::AccessFlags2::MEMORY_WRITE);
+        let layout = vk::ImageLayout::GENERAL;
+        host.images.iter_mut().for_each(|(_, image)| *image = HostImage { stage, access, layout, ..*image });
+        host.output = HostImage { stage, access, layout, ..host.output };
+        assert_eq!(host.frames(), of_executor());
+    }
     assert_valid();
 }
 

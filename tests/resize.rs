@@ -8,7 +8,8 @@ use ash::vk;
 use atrous::config::{PostProcess, Preset};
 use atrous::executor::{Executor, ExecutorOptions, HostImage, Session, SessionOptions};
 use atrous::{
-    Config, Declaration, Denoiser, Device, Error, FrameContext, FrameParams, Lifetime, ResetReason, Shape, Tuning, UseFrame,
+    Config, Declaration, Denoiser, Device, Error, FrameContext, FrameParams, Lifetime, ResetReason, Shape, Subresource, Tuning,
+    UseFrame,
 };
 use atrous_harness::DeviceTest;
 use std::ffi::c_void;
@@ -250,7 +251,19 @@ fn images_of_a_host_have_to_be_bound_again() {
         let declaration = executor.denoiser().declaration();
         let shape = declaration.resource(declaration.find(name).expect(name)).shape;
         let Shape::Image { format, .. } = shape else { panic!("{name} is an image") };
-        executor.bind_image(name, HostImage { image, view, format: format.preferred(), extent, layout, stage, access })
+        executor.bind_image(
+            name,
+            HostImage {
+                image,
+                view,
+                subresource: Subresource::default(),
+                format: format.preferred(),
+                extent,
+                layout,
+                stage,
+                access,
+            },
+        )
     };
     let bind_inputs = |executor: &mut Executor, extent: [u32; 2]| {
         ["depth", "normal", "surface_id", "noisy_radiance"].iter().try_for_each(|name| bind_one(executor, name, extent))

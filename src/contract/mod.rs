@@ -51,5 +51,5 @@ pub(crate) use statistics::STATISTICS_BYTES;
 pub use statistics::{Counter, Statistics};
 #[cfg(feature = "executor")]
 pub(crate) use tracker::WHOLE;
-pub use tracker::{Barrier, BarrierTarget, Barriers2, LegacyBarriers, PhysicalResource, ResourceState, Tracker};
+pub use tracker::{Barrier, BarrierTarget, Barriers2, LegacyBarriers, PhysicalResource, ResourceState, Subresource, Tracker};
 pub use tuning::{ToneCurve, Tuning, TuningField};

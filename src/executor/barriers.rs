@@ -3,7 +3,7 @@
 use super::storage::{Object, Storages, StoredImage};
 use crate::contract::{
     Access, Barrier, BarrierTarget, Barriers2, Declaration, FrameContext, LegacyBarriers, Lifetime, PhysicalResource, ResourceId,
-    ResourceState, UseFrame, WHOLE,
+    ResourceState, UseFrame,
 };
 use ash::vk;
 
@@ -123,7 +123,7 @@ impl Barriers {
                     Lifetime::Input { .. } => false,
                 };
                 let image = storages.object(id, copy).filter(|_| undefined).and_then(Object::image);
-                let Some(&image @ StoredImage { image: handle, .. }) = image else { continue };
+                let Some(&image @ StoredImage { image: handle, subresource, .. }) = image else { continue };
                 let colour = if image.is_uint() {
                     vk::ClearColorValue { uint32: [u32::MAX; 4] }
                 } else {
@@ -133,7 +133,8 @@ impl Barriers {
                 // TRANSFER_DST_OPTIMAL.
                 unsafe {
                     self.before_access(device, cmd, storages, (id, copy), ResourceState::of(Access::Clear), true);
-                    device.cmd_clear_color_image(cmd, handle, vk::ImageLayout::TRANSFER_DST_OPTIMAL, &colour, &[WHOLE]);
+                    let range = subresource.range(vk::ImageAspectFlags::COLOR);
+                    device.cmd_clear_color_image(cmd, handle, vk::ImageLayout::TRANSFER_DST_OPTIMAL, &colour, &[range]);
                 }
             }
         }

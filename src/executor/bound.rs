@@ -2,7 +2,7 @@
 
 use super::storage::{Object, StoredImage};
 use super::Executor;
-use crate::contract::{Lifetime, ResourceState, Shape};
+use crate::contract::{Lifetime, ResourceState, Shape, Subresource};
 use crate::error::Error;
 use ash::vk;
 
@@ -11,11 +11,13 @@ use ash::vk;
 pub struct HostImage {
     /// Image.
     pub image: vk::Image,
-    /// 2D view of mip 0, layer 0.
+    /// 2D view of the subresource.
     pub view: vk::ImageView,
+    /// Its layer and mip level: `Subresource::default()` for an image with one of each.
+    pub subresource: Subresource,
     /// Format of the view.
     pub format: vk::Format,
-    /// Extent, at least the allocated one.
+    /// Extent of that mip level, at least the allocated one.
     pub extent: [u32; 2],
     /// Its layout before each phase, to which it returns at the end of the phase.
     pub layout: vk::ImageLayout,

@@ -57,6 +57,8 @@ pub struct ExecutorOptions {
     pub timestamps: bool,
     /// Places barriers by `vkCmdPipelineBarrier`, for devices without synchronization2.
     pub legacy_barriers: bool,
+    /// [`Tracker::stay_in_general`](crate::Tracker::stay_in_general), for engines with one layout.
+    pub stay_in_general: bool,
     /// Labels every pass, and names every object. `VK_EXT_debug_utils` is enabled on the instance.
     pub debug_labels: bool,
     /// Switches [`Denoiser::checks`] on or off. `None`: on in debug builds.

@@ -102,9 +102,9 @@ unsafe fn copy_out(device: &ash::Device, cmd: vk::CommandBuffer, barriers: &mut 
     // SAFETY: `cmd` is recording; image or buffer is live and in the state of a copy's source, and `buffer` has room for all of it.
     unsafe {
         match from {
-            Object::Image(StoredImage { image, format, extent, .. }) => {
+            Object::Image(image) => {
                 let layout = vk::ImageLayout::TRANSFER_SRC_OPTIMAL;
-                device.cmd_copy_image_to_buffer(cmd, image, layout, buffer, &[region(format, extent)]);
+                device.cmd_copy_image_to_buffer(cmd, image.image, layout, buffer, &[region(&image, image.extent)]);
             }
             Object::Buffer { buffer: from, size } => {
                 let region = vk::BufferCopy { src_offset: 0, dst_offset: 0, size };

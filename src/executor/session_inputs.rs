@@ -86,7 +86,8 @@ impl Session {
         };
         let host = owned.uploaded();
         self.stage(bytes.len() as u64)?.bytes()[..bytes.len()].copy_from_slice(bytes);
-        let image = Object::Image(StoredImage::of_host(&host));
+        let stored = StoredImage::of_host(&host);
+        let image = Object::Image(stored);
         self.submit(|session, cmd| {
             let buffer = session.staging.as_ref().map_or(vk::Buffer::null(), |s| s.buffer);
             let device = session.gpu.device();
@@ -97,7 +98,7 @@ impl Session {
                 session.barriers.single(device, cmd, staged, [COPIED, ResourceState::COPY_SOURCE], false);
                 session.barriers.single(device, cmd, image, [UPLOADED, COPIED], true);
                 let layout = vk::ImageLayout::TRANSFER_DST_OPTIMAL;
-                device.cmd_copy_buffer_to_image(cmd, buffer, host.image, layout, &[region(format, extent)]);
+                device.cmd_copy_buffer_to_image(cmd, buffer, host.image, layout, &[region(&stored, extent)]);
                 session.barriers.single(device, cmd, image, [COPIED, UPLOADED], false);
             }
             Ok(())

@@ -2,7 +2,7 @@
 
 use super::transfer::UPLOADED;
 use super::HostImage;
-use crate::contract::{ResourceState, WHOLE};
+use crate::contract::{ResourceState, Subresource, WHOLE};
 use crate::error::Error;
 use ash::vk;
 
@@ -112,7 +112,7 @@ impl OwnedImage {
     pub(crate) fn uploaded(&self) -> HostImage {
         let &Self { image, view, format, extent, .. } = self;
         let ResourceState { stage, access, layout, .. } = UPLOADED;
-        HostImage { image, view, format, extent, layout, stage, access }
+        HostImage { image, view, subresource: Subresource::FIRST, format, extent, layout, stage, access }
     }
 }
 

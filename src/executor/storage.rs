@@ -4,7 +4,7 @@ use super::HostImage;
 use crate::contract::texel::Texel;
 use crate::contract::Binding;
 use crate::contract::{
-    component_of, Component, Declaration, FrameContext, PhysicalResource, ResourceId, ResourceState, Span, Tracker,
+    component_of, Component, Declaration, FrameContext, PhysicalResource, ResourceId, ResourceState, Span, Subresource, Tracker,
 };
 use crate::error::Error;
 use ash::vk;
@@ -18,16 +18,17 @@ pub(crate) struct StoredImage {
     pub extent: [u32; 2],
     /// Every aspect of the format: barriers name all of them.
     pub aspects: vk::ImageAspectFlags,
+    pub subresource: Subresource,
 }
 
 impl StoredImage {
     pub(crate) fn new(image: vk::Image, view: vk::ImageView, format: vk::Format, extent: [u32; 2]) -> Self {
         let aspects = Texel::of(format).map_or(vk::ImageAspectFlags::COLOR, |texel| texel.aspects());
-        Self { image, view, format, extent, aspects }
+        Self { image, view, format, extent, aspects, subresource: Subresource::FIRST }
     }
 
     pub(crate) fn of_host(host: &HostImage) -> Self {
-        Self::new(host.image, host.view, host.format, host.extent)
+        Self { subresource: host.subresource, ..Self::new(host.image, host.view, host.format, host.extent) }
     }
 
     /// Whether texels are unsigned integers.
@@ -63,7 +64,9 @@ impl Object {
 
     pub(crate) fn physical(&self) -> PhysicalResource {
         match *self {
-            Self::Image(StoredImage { image, view, aspects, .. }) => PhysicalResource::Image { image, view, aspects },
+            Self::Image(StoredImage { image, view, aspects, subresource, .. }) => {
+                PhysicalResource::Image { image, view, aspects, subresource }
+            }
             Self::Buffer { buffer, .. } => PhysicalResource::buffer(buffer),
         }
     }
@@ -96,11 +99,13 @@ pub(crate) struct Storages {
 }
 
 impl Storages {
-    pub(crate) fn new(declaration: &Declaration) -> Self {
+    pub(crate) fn new(declaration: &Declaration, stay_in_general: bool) -> Self {
         let count = declaration.resources().len();
+        let mut tracker = Tracker::new(declaration);
+        tracker.stay_in_general = stay_in_general;
         Self {
             objects: Objects(vec![[None, None]; count]),
-            tracker: Tracker::new(declaration),
+            tracker,
             lent: vec![None; count],
             own: vec![None; count],
             lost: vec![false; count],

@@ -1,5 +1,6 @@
 //! Getting texels in and out through a staging buffer.
 
+use super::storage::StoredImage;
 use crate::contract::texel::Texel;
 use crate::contract::{Access, ResourceState};
 use crate::error::Error;
@@ -89,9 +90,9 @@ impl Drop for Staging {
 }
 
 /// The top left part of an image, tightly packed in a buffer; of a depth-stencil image the depth.
-pub(crate) fn region(format: vk::Format, [width, height]: [u32; 2]) -> vk::BufferImageCopy {
-    let aspect_mask = Texel::of(format).map_or(vk::ImageAspectFlags::COLOR, |texel| texel.copied_aspect());
-    let layers = vk::ImageSubresourceLayers { aspect_mask, mip_level: 0, base_array_layer: 0, layer_count: 1 };
+pub(crate) fn region(image: &StoredImage, [width, height]: [u32; 2]) -> vk::BufferImageCopy {
+    let aspect_mask = Texel::of(image.format).map_or(vk::ImageAspectFlags::COLOR, |texel| texel.copied_aspect());
+    let layers = image.subresource.layers(aspect_mask);
     vk::BufferImageCopy::default().image_subresource(layers).image_extent(vk::Extent3D { width, height, depth: 1 })
 }
 

@@ -12,7 +12,7 @@ use atrous::config::{PostProcess, Preset, Signals};
 use atrous::executor::{Executor, ExecutorOptions, HostImage};
 use atrous::{
     Access, Config, Declaration, FrameContext, FrameParams, Lifetime, PassDecl, Phase, ResourceDecl, ResourceId, ResourceState,
-    Setup, Shape, Tuning, Use, UseFrame,
+    Setup, Shape, Subresource, Tuning, Use, UseFrame,
 };
 use atrous_harness::DeviceTest;
 use recorder::{Barrier, Event, Place, Recorder, Side};
@@ -213,6 +213,7 @@ fn host_image(resource: &ResourceDecl, handle: u64) -> HostImage {
     HostImage {
         image: vk::Image::from_raw(handle),
         view: vk::ImageView::null(),
+        subresource: Subresource::default(),
         format: format.preferred(),
         extent: resource.extent(&Setup::new(EXTENT)).expect("an image"),
         layout: vk::ImageLayout::GENERAL,
@@ -229,7 +230,10 @@ fn hazards(declaration: &Declaration, options: ExecutorOptions) -> Vec<String> {
 }
 
 fn assert_free_of_hazards(declaration: &Declaration, what: &str) {
-    assert_eq!(hazards(declaration, ExecutorOptions::default()), [] as [String; 0], "{what}");
+    for stay_in_general in [false, true] {
+        let options = ExecutorOptions { stay_in_general, ..Default::default() };
+        assert_eq!(hazards(declaration, options), [] as [String; 0], "{what}, stay_in_general: {stay_in_general}");
+    }
 }
 
 fn every_preset_is_free_of_hazards() {

@@ -2,7 +2,7 @@
 
 use ash::vk;
 use atrous::executor::{Executor, ExecutorOptions, HeadlessDevice, HostImage};
-use atrous::{Config, Device, FrameContext, FrameParams, Lifetime, Phase, ResourceId, Shape, Tuning};
+use atrous::{Config, Device, FrameContext, FrameParams, Lifetime, Phase, ResourceId, Shape, Subresource, Tuning};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -147,8 +147,22 @@ impl Rig {
         aspect: vk::ImageAspectFlags,
         usage: vk::ImageUsageFlags,
     ) -> HostImage {
+        self.image_at(name, format, extent, aspect, usage, Subresource::default())
+    }
+
+    /// The last layer and mip level of an image that has others as well, which stay undefined.
+    pub fn image_at(
+        &mut self,
+        name: &str,
+        format: vk::Format,
+        extent: [u32; 2],
+        aspect: vk::ImageAspectFlags,
+        usage: vk::ImageUsageFlags,
+        subresource: Subresource,
+    ) -> HostImage {
         let gpu = self.gpu.clone();
-        let info = plain_image(format, extent, usage);
+        let Subresource { layer, level } = subresource;
+        let info = plain_image(format, extent.map(|side| side << level), usage).array_layers(layer + 1).mip_levels(level + 1);
         // SAFETY: the device is live; what is made here is destroyed with the rig.
         let (image, view) = unsafe {
             let image = gpu.device().create_image(&info, None).expect("image");
@@ -156,14 +170,15 @@ impl Rig {
             self.image_memory.push(memory);
             gpu.device().bind_image_memory(image, memory, 0).expect("memory");
             let info = vk::ImageViewCreateInfo::default().image(image).view_type(vk::ImageViewType::TYPE_2D).format(format);
-            let range = vk::ImageSubresourceRange { aspect_mask: aspect, ..whole() };
+            let range =
+                vk::ImageSubresourceRange { aspect_mask: aspect, base_array_layer: layer, base_mip_level: level, ..whole() };
             (image, gpu.device().create_image_view(&info.subresource_range(range), None).expect("view"))
         };
         self.images.insert(name.to_owned(), image);
         self.owned.push(image);
         self.views.push(view);
         let (stage, access, layout) = UPLOADED;
-        HostImage { image, view, format, extent, layout, stage, access }
+        HostImage { image, view, subresource, format, extent, layout, stage, access }
     }
 
     /// Records into the first command buffer, submits it, and waits.

@@ -627,6 +627,11 @@ typedef struct AtrousCreateInfo {
   // atrous_set_log. It takes a good part of a second a frame, and ends with the first answer. The images of your guides need the
   // usage TRANSFER_SRC.
   uint32_t check_guides;
+  // Of an executor: 1 uses every image in VK_IMAGE_LAYOUT_GENERAL, for engines with one layout: images that are there already
+  // have barriers of memory alone.
+  uint32_t stay_in_general;
+  // 0.
+  uint32_t reserved;
 } AtrousCreateInfo;
 
 // Parameters of a frame; `atrous_frame_params_default` fills it.
@@ -898,11 +903,11 @@ typedef struct AtrousLentImage {
   const char *name;
   // Image.
   VkImage image;
-  // 2D view of mip 0, layer 0.
+  // 2D view of `layer` and `level`.
   VkImageView view;
-  // Width of the image.
+  // Width of that mip level.
   uint32_t width;
-  // Height of the image.
+  // Height of that mip level.
   uint32_t height;
   // Its layout as the call finds it.
   VkImageLayout layout;
@@ -916,6 +921,10 @@ typedef struct AtrousLentImage {
   VkPipelineStageFlags2 after_stage;
   // Accesses of those stages.
   VkAccessFlags2 after_access;
+  // Array layer of the view.
+  uint32_t layer;
+  // Mip level of the view.
+  uint32_t level;
 } AtrousLentImage;
 
 // Your guides for one frame, read back: tightly packed rows of width texels, each four floats.
@@ -1211,6 +1220,24 @@ AtrousStatus atrous_tracker_set_image(struct AtrousTracker *tracker,
                                       VkImage image,
                                       VkImageView view,
                                       VkImageAspectFlags aspects);
+
+// Names array layer and mip level of the image that atrous_tracker_set_image named; they are 0 until then. The view is of them.
+//
+// # Safety
+// None beyond those of a call through C.
+AtrousStatus atrous_tracker_set_subresource(struct AtrousTracker *tracker,
+                                            uint32_t resource,
+                                            uint32_t copy,
+                                            uint32_t layer,
+                                            uint32_t level);
+
+// With `on` 1 every image is used in VK_IMAGE_LAYOUT_GENERAL from now on, for engines with one layout: images that are there already
+// have barriers of memory alone. With 0, the initial value, each is used in the declared layout.
+//
+// # Safety
+// None beyond those of a call through C.
+AtrousStatus atrous_tracker_stay_in_general(struct AtrousTracker *tracker,
+                                            uint32_t on);
 
 // Names the buffer of a copy of a resource, as atrous_tracker_set_image names an image. `size` may be VK_WHOLE_SIZE.
 //

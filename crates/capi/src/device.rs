@@ -37,6 +37,9 @@ fn functions_of(info: &AtrousCreateInfo) -> Result<ash::vk::PFN_vkGetInstancePro
 
 /// Whether checks are made, if the host says it.
 pub(super) fn checks(info: &AtrousCreateInfo) -> Result<Option<bool>, Failure> {
+    if info.reserved != 0 {
+        return Err(Failure::argument(format!("reserved is {}; set it to 0", info.reserved)));
+    }
     match info.checks {
         0 => Ok(None),
         1 => Ok(Some(true)),

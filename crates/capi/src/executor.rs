@@ -9,7 +9,9 @@ use crate::status::{guard, AtrousStatus, Failure};
 use crate::structs::{AtrousCreateInfo, AtrousFrameParams, AtrousLentImage};
 use ash::vk::{AccessFlags2, Buffer, CommandBuffer, Handle, ImageLayout, PipelineStageFlags2};
 use atrous::executor::{Executor, ExecutorOptions, HostImage, LentImage};
-use atrous::{Counter, DebugView, Error, FrameContext, Lifetime, Phase, ResourceDecl, ResourceState, Shape, Tuning, UseFrame};
+use atrous::{
+    Counter, DebugView, Error, FrameContext, Lifetime, Phase, ResourceDecl, ResourceState, Shape, Subresource, Tuning, UseFrame,
+};
 use std::ffi::{c_char, CStr};
 
 impl ExecutorState {
@@ -43,6 +45,7 @@ pub unsafe extern "C" fn atrous_executor_create(info: *const AtrousCreateInfo, e
                 extra_image_usage: ash::vk::ImageUsageFlags::TRANSFER_SRC,
                 legacy_barriers: crate::convert::flag("legacy_barriers", info.legacy_barriers)?,
                 debug_labels: crate::convert::flag("debug_labels", info.debug_labels)?,
+                stay_in_general: crate::convert::flag("stay_in_general", info.stay_in_general)?,
                 checks: checks(&info)?,
                 check_guides: crate::convert::flag("check_guides", info.check_guides)?.then_some(atrous_conventions::check_frames),
                 ..Default::default()
@@ -289,6 +292,7 @@ fn lent<'a>(what: &str, name: &'a str, given: &AtrousLentImage) -> Result<LentIm
     let image = HostImage {
         image: given.image,
         view: given.view,
+        subresource: Subresource { layer: given.layer, level: given.level },
         format: given.format,
         extent: [given.width, given.height],
         layout: given.layout,

@@ -48,6 +48,11 @@ pub struct AtrousCreateInfo {
     /// atrous_set_log. It takes a good part of a second a frame, and ends with the first answer. The images of your guides need the
     /// usage TRANSFER_SRC.
     pub check_guides: u32,
+    /// Of an executor: 1 uses every image in VK_IMAGE_LAYOUT_GENERAL, for engines with one layout: images that are there already
+    /// have barriers of memory alone.
+    pub stay_in_general: u32,
+    /// 0.
+    pub reserved: u32,
 }
 
 /// An image that you lend for one call of `atrous_executor_denoise`: an input, or an output to be written.
@@ -62,11 +67,11 @@ pub struct AtrousLentImage {
     pub name: *const c_char,
     /// Image.
     pub image: Image,
-    /// 2D view of mip 0, layer 0.
+    /// 2D view of `layer` and `level`.
     pub view: ImageView,
-    /// Width of the image.
+    /// Width of that mip level.
     pub width: u32,
-    /// Height of the image.
+    /// Height of that mip level.
     pub height: u32,
     /// Its layout as the call finds it.
     pub layout: ImageLayout,
@@ -80,6 +85,10 @@ pub struct AtrousLentImage {
     pub after_stage: PipelineStageFlags2,
     /// Accesses of those stages.
     pub after_access: AccessFlags2,
+    /// Array layer of the view.
+    pub layer: u32,
+    /// Mip level of the view.
+    pub level: u32,
 }
 
 /// Parameters of a frame; `atrous_frame_params_default` fills it.

@@ -8,7 +8,8 @@ use crate::status::{guard, AtrousStatus, Failure};
 use crate::structs::{AtrousBarriers, AtrousBinding, AtrousFrame, AtrousState};
 use ash::vk::{Buffer, DependencyInfo, Handle, Image, ImageAspectFlags, ImageView};
 use atrous::{
-    Barrier, Barriers2, Binding, Declaration, FrameContext, LegacyBarriers, PhysicalResource, ResourceId, ResourceState, Tracker,
+    Barrier, Barriers2, Binding, Declaration, FrameContext, LegacyBarriers, PhysicalResource, ResourceId, ResourceState,
+    Subresource, Tracker,
 };
 
 /// The object behind a handle of a tracker.
@@ -249,8 +250,52 @@ pub unsafe extern "C" fn atrous_tracker_set_image(
         if image.is_null() != view.is_null() {
             return Err(Failure::argument("one of image and view is VK_NULL_HANDLE; give both, or neither to remove them"));
         }
-        let physical = (!image.is_null()).then_some(PhysicalResource::Image { image, view, aspects });
+        let subresource = Subresource::default();
+        let physical = (!image.is_null()).then_some(PhysicalResource::Image { image, view, aspects, subresource });
         handle::change(tracker, |state| state.set_physical(resource, copy, physical))
+    })
+}
+
+/// Names array layer and mip level of the image that atrous_tracker_set_image named; they are 0 until then. The view is of them.
+///
+/// # Safety
+/// None beyond those of a call through C.
+#[no_mangle]
+pub unsafe extern "C" fn atrous_tracker_set_subresource(
+    tracker: *mut AtrousTracker,
+    resource: u32,
+    copy: u32,
+    layer: u32,
+    level: u32,
+) -> AtrousStatus {
+    guard(|| {
+        handle::change(tracker, |state| {
+            let (id, copy) = state.copy(resource, copy)?;
+            match &mut state.physical[id.0 as usize][copy] {
+                Some(PhysicalResource::Image { subresource, .. }) => *subresource = Subresource { layer, level },
+                _ => {
+                    let message = "has no image to take a layer of; call atrous_tracker_set_image first";
+                    return Err(Failure::argument(format!("copy {copy} of resource {resource} {message}")));
+                }
+            }
+            Ok(())
+        })
+    })
+}
+
+/// With `on` 1 every image is used in VK_IMAGE_LAYOUT_GENERAL from now on, for engines with one layout: images that are there already
+/// have barriers of memory alone. With 0, the initial value, each is used in the declared layout.
+///
+/// # Safety
+/// None beyond those of a call through C.
+#[no_mangle]
+pub unsafe extern "C" fn atrous_tracker_stay_in_general(tracker: *mut AtrousTracker, on: u32) -> AtrousStatus {
+    guard(|| {
+        let on = flag("on", on)?;
+        handle::change(tracker, |state| {
+            state.tracker.stay_in_general = on;
+            Ok(())
+        })
     })
 }
 
@@ -559,6 +604,30 @@ mod tests {
         // SAFETY: the pointer is that of a struct whose size is set.
         unsafe { state.give(&mut barriers, |tracker| tracker.access(id, 0, next, false)) }.expect("a good struct");
         (state, barriers)
+    }
+
+    #[test]
+    fn barriers_name_the_layer_and_the_mip_level() {
+        let (state, _) = accessed(false);
+        let id = Config::new([8, 8]).declare().expect("valid").find("depth").expect("an input").0;
+        let tracker = handle::insert(state);
+        // SAFETY: the handle is live; the pointers are null, or those of structs whose size is set.
+        unsafe {
+            assert_eq!(atrous_tracker_set_subresource(tracker, id, 0, 3, 1), AtrousStatus::Ok);
+            let mut barriers = AtrousBarriers::NONE;
+            let (ResourceState { stage, access, layout, .. }, queue_family) = (ResourceState::of(Access::Clear), u32::MAX);
+            let to = AtrousState { stage, access, layout, queue_family };
+            assert_eq!(atrous_tracker_access(tracker, id, 0, &to, 0, &mut barriers), AtrousStatus::Ok);
+            let range = (*barriers.dependency_info.p_image_memory_barriers).subresource_range;
+            assert_eq!((range.base_array_layer, range.base_mip_level), (3, 1));
+            let none = Image::null();
+            assert_eq!(
+                atrous_tracker_set_image(tracker, id, 0, none, ImageView::null(), ImageAspectFlags::COLOR),
+                AtrousStatus::Ok
+            );
+            assert_eq!(atrous_tracker_set_subresource(tracker, id, 0, 3, 1), AtrousStatus::InvalidArgument);
+            assert_eq!(atrous_tracker_destroy(tracker), AtrousStatus::Ok);
+        }
     }
 
     #[test]

@@ -74,7 +74,8 @@ impl Bound {
             (true, _) => (vk::ImageLayout::GENERAL, vk::AccessFlags2::SHADER_WRITE, TextureUses::STORAGE_WRITE_ONLY),
         };
         let extent = [texture.width(), texture.height()];
-        let image = HostImage { image, view: handle, format: vulkan, extent, layout, stage: SHADERS, access };
+        let subresource = atrous::Subresource::default();
+        let image = HostImage { image, view: handle, subresource, format: vulkan, extent, layout, stage: SHADERS, access };
         Ok(Self { texture: texture.clone(), _view: view, image, state, is_output, is_of_host })
     }
 }

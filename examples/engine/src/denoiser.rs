@@ -376,6 +376,7 @@ fn host_image(image: &Image, access: vk::AccessFlags2) -> HostImage {
     HostImage {
         image: image.handle,
         view: image.view,
+        subresource: atrous::Subresource::default(),
         format: image.format,
         extent: [image.extent.width, image.extent.height],
         layout: vk::ImageLayout::GENERAL,

@@ -1,21 +1,46 @@
 //! Barriers as the arguments of one call, for synchronization2 and for Vulkan 1.0.
 
-use super::barrier::WHOLE;
 use super::{Barrier, BarrierTarget};
 use crate::contract::{Binding, ResourceId};
 use ash::vk;
+
+/// The part of an image that stands for a resource: one mip level of one array layer. The rest of the image is never touched.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Subresource {
+    /// Array layer.
+    pub layer: u32,
+    /// Mip level.
+    pub level: u32,
+}
+
+impl Subresource {
+    /// The whole of an image with one layer and one mip level.
+    pub(crate) const FIRST: Self = Self { layer: 0, level: 0 };
+
+    pub(crate) const fn range(self, aspect_mask: vk::ImageAspectFlags) -> vk::ImageSubresourceRange {
+        let Self { layer, level } = self;
+        vk::ImageSubresourceRange { aspect_mask, base_mip_level: level, level_count: 1, base_array_layer: layer, layer_count: 1 }
+    }
+
+    #[cfg(feature = "executor")]
+    pub(crate) const fn layers(self, aspect_mask: vk::ImageAspectFlags) -> vk::ImageSubresourceLayers {
+        vk::ImageSubresourceLayers { aspect_mask, mip_level: self.level, base_array_layer: self.layer, layer_count: 1 }
+    }
+}
 
 /// The image or buffer that stands for one copy of a resource.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PhysicalResource {
     /// An image.
     Image {
-        /// Image with one mip level and one layer.
+        /// Image.
         image: vk::Image,
-        /// 2D view of it, of the colour or the depth aspect.
+        /// 2D view of the subresource, of the colour or the depth aspect.
         view: vk::ImageView,
         /// All aspects of its format, depth and stencil together.
         aspects: vk::ImageAspectFlags,
+        /// The layer and mip level that barriers name.
+        subresource: Subresource,
     },
     /// A range of a buffer.
     Buffer {
@@ -29,9 +54,9 @@ pub enum PhysicalResource {
 }
 
 impl PhysicalResource {
-    /// A colour image.
+    /// A colour image with one layer and one mip level.
     pub const fn color(image: vk::Image, view: vk::ImageView) -> Self {
-        Self::Image { image, view, aspects: vk::ImageAspectFlags::COLOR }
+        Self::Image { image, view, aspects: vk::ImageAspectFlags::COLOR, subresource: Subresource::FIRST }
     }
 
     /// A whole buffer.
@@ -69,8 +94,8 @@ impl Barriers2 {
         for barrier in barriers {
             match (barrier.target, object(barrier, &physical)) {
                 (BarrierTarget::Memory, _) => self.memory.push(barrier.memory_barrier2()),
-                (_, Some(PhysicalResource::Image { image, aspects, .. })) => {
-                    self.images.push(barrier.image_memory_barrier2(image, aspects));
+                (_, Some(PhysicalResource::Image { image, aspects, subresource, .. })) => {
+                    self.images.push(barrier.image_memory_barrier2(image, aspects, subresource));
                 }
                 (_, Some(PhysicalResource::Buffer { buffer, offset, size })) => {
                     self.buffers.push(barrier.buffer_memory_barrier2(buffer, offset, size));
@@ -150,10 +175,10 @@ impl LegacyBarriers {
         let [source, destination] = barrier.family_indices();
         match physical {
             None => self.memory.push(vk::MemoryBarrier::default().src_access_mask(src_access).dst_access_mask(dst_access)),
-            Some(PhysicalResource::Image { image, aspects, .. }) => self.images.push(
+            Some(PhysicalResource::Image { image, aspects, subresource, .. }) => self.images.push(
                 vk::ImageMemoryBarrier::default()
                     .image(image)
-                    .subresource_range(vk::ImageSubresourceRange { aspect_mask: aspects, ..WHOLE })
+                    .subresource_range(subresource.range(aspects))
                     .src_queue_family_index(source)
                     .dst_queue_family_index(destination)
                     .src_access_mask(src_access)

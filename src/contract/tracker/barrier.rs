@@ -1,6 +1,6 @@
 //! Barriers as plain data, and as the structures of Vulkan.
 
-use super::ResourceState;
+use super::{ResourceState, Subresource};
 use crate::contract::ResourceId;
 use ash::vk;
 
@@ -55,6 +55,16 @@ impl Barrier {
         transfers.then_some(families)
     }
 
+    /// Makes a barrier of memory of one that leaves its image in `GENERAL` and its owner in place. Content that nobody needs stays
+    /// there, too.
+    pub(super) fn keep_general(&mut self) {
+        let general = vk::ImageLayout::GENERAL;
+        let is_image = matches!(self.target, BarrierTarget::Image { .. });
+        if is_image && [self.from.layout, self.to.layout] == [general; 2] && self.queue_families().is_none() {
+            self.target = BarrierTarget::Memory;
+        }
+    }
+
     /// The half that a queue of the source family records, where the barrier transfers ownership; else the barrier itself.
     pub(super) fn release(self) -> Self {
         let to = ResourceState { stage: vk::PipelineStageFlags2::NONE, access: vk::AccessFlags2::NONE, ..self.to };
@@ -85,16 +95,17 @@ impl Barrier {
             .dst_access_mask(self.to.access)
     }
 
-    /// The barrier of an image with one mip level and one layer. `aspects` are all that its format has.
+    /// The barrier of one subresource of an image. `aspects` are all that its format has.
     pub(crate) fn image_memory_barrier2(
         &self,
         image: vk::Image,
         aspects: vk::ImageAspectFlags,
+        subresource: Subresource,
     ) -> vk::ImageMemoryBarrier2<'static> {
         let [source, destination] = self.family_indices();
         vk::ImageMemoryBarrier2::default()
             .image(image)
-            .subresource_range(vk::ImageSubresourceRange { aspect_mask: aspects, ..WHOLE })
+            .subresource_range(subresource.range(aspects))
             .src_queue_family_index(source)
             .dst_queue_family_index(destination)
             .src_stage_mask(self.from.stage)
@@ -131,10 +142,4 @@ impl Barrier {
 }
 
 /// The one mip level and layer that every image of a declaration has.
-pub(crate) const WHOLE: vk::ImageSubresourceRange = vk::ImageSubresourceRange {
-    aspect_mask: vk::ImageAspectFlags::COLOR,
-    base_mip_level: 0,
-    level_count: 1,
-    base_array_layer: 0,
-    layer_count: 1,
-};
+pub(crate) const WHOLE: vk::ImageSubresourceRange = Subresource::FIRST.range(vk::ImageAspectFlags::COLOR);

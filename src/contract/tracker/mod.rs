@@ -8,7 +8,7 @@ mod arguments;
 mod barrier;
 mod state;
 
-pub use arguments::{Barriers2, LegacyBarriers, PhysicalResource};
+pub use arguments::{Barriers2, LegacyBarriers, PhysicalResource, Subresource};
 #[cfg(feature = "executor")]
 pub(crate) use barrier::WHOLE;
 pub use barrier::{Barrier, BarrierTarget};
@@ -40,6 +40,9 @@ use ash::vk;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Tracker {
+    /// Uses every image in `GENERAL`, for engines with one layout: an image that is there already has barriers of memory alone.
+    /// Default: false.
+    pub stay_in_general: bool,
     passes: Vec<TrackedPass>,
     resources: Vec<Tracked>,
     /// The family of the queue that is recorded for.
@@ -107,7 +110,7 @@ impl Tracker {
             resources[id.0 as usize].starts = Some(first);
         }
         let (found, given_back) = (Vec::new(), Vec::new());
-        Self { passes, resources, queue_family: vk::QUEUE_FAMILY_IGNORED, found, given_back }
+        Self { stay_in_general: false, passes, resources, queue_family: vk::QUEUE_FAMILY_IGNORED, found, given_back }
     }
 
     /// Tells that two transients overlap in memory, so that one starts only after the other is
@@ -174,7 +177,7 @@ impl Tracker {
 
     /// The barriers before a pass, for one call. The pass counts as recorded after them.
     pub fn barriers(&mut self, pass: usize, frame: &FrameContext) -> &[Barrier] {
-        let Self { passes, resources, found, queue_family, .. } = self;
+        let Self { passes, resources, found, queue_family, stay_in_general, .. } = self;
         found.clear();
         for u in passes.get(pass).map_or(&[][..], |p| &p.uses) {
             let index = u.resource.0 as usize;
@@ -185,8 +188,11 @@ impl Tracker {
             if resources[index].starts == Some(pass) {
                 take_over(resources, u.resource, ResourceState::of(u.access), found);
             }
-            let next = next_state(&resources[index].copies[copy].state, u.access).owned_by(*queue_family);
+            let next = next_state(&resources[index].copies[copy].state, u.access, *stay_in_general).owned_by(*queue_family);
             transition(&mut resources[index], u.resource, copy, next, !u.access.reads(), found);
+        }
+        if *stay_in_general {
+            found.iter_mut().for_each(Barrier::keep_general);
         }
         found
     }
@@ -230,7 +236,7 @@ impl Tracker {
     /// for. If your queue family differs, they release the ownership, and [`Self::given_back`] has
     /// the barriers for your queue.
     pub fn hand_back(&mut self) -> &[Barrier] {
-        let Self { resources, found, given_back, .. } = self;
+        let Self { resources, found, given_back, stay_in_general, .. } = self;
         found.clear();
         given_back.clear();
         for (index, resource) in resources.iter_mut().enumerate() {
@@ -247,6 +253,9 @@ impl Tracker {
             }
             found.push(barrier.release());
             copy.state = before;
+        }
+        if *stay_in_general {
+            found.iter_mut().for_each(Barrier::keep_general);
         }
         found
     }
@@ -296,9 +305,13 @@ fn target(is_image: bool, resource: ResourceId, copy: usize) -> BarrierTarget {
 }
 
 /// The state behind a use. An image that may be sampled where it is stays there.
-fn next_state(now: &ResourceState, access: Access) -> ResourceState {
+fn next_state(now: &ResourceState, access: Access, stay_in_general: bool) -> ResourceState {
     let next = ResourceState::of(access);
-    let layout = if access == Access::Sampled && now.is_sampled_in_place() { now.layout } else { next.layout };
+    let layout = match access == Access::Sampled && now.is_sampled_in_place() {
+        true => now.layout,
+        false if stay_in_general => vk::ImageLayout::GENERAL,
+        false => next.layout,
+    };
     ResourceState { layout, ..next }
 }
 

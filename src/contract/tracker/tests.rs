@@ -167,6 +167,31 @@ fn a_write_waits_for_every_read_before_it() {
 }
 
 #[test]
+fn an_engine_with_one_layout_has_barriers_of_memory_alone() {
+    let declaration = declaration();
+    let (mut tracker, id) = (Tracker::new(&declaration), depth(&declaration));
+    tracker.stay_in_general = true;
+    let general = ResourceState::new(S::ALL_COMMANDS, A::MEMORY_WRITE, L::GENERAL);
+    let buffers = |b: &&Barrier| !matches!(b.target, BarrierTarget::Buffer { .. });
+    for index in 0..3 {
+        tracker.share(id, general, general);
+        let frame = FrameContext { index, ..frame(&declaration) };
+        for pass in 0..declaration.passes().len() {
+            let barriers = tracker.barriers(pass, &frame).to_vec();
+            assert!(barriers.iter().filter(buffers).all(|b| b.to.layout == L::GENERAL), "{barriers:?}");
+            for barrier in barriers_of(&barriers, id) {
+                panic!("{barrier:?} is of the image");
+            }
+            // Those of the device itself come from no layout once, and where they share memory.
+            let moved = barriers.iter().filter(buffers).filter(|b| b.target != BarrierTarget::Memory);
+            assert!(moved.clone().all(|b| b.old_layout() == L::UNDEFINED), "{barriers:?}");
+        }
+        let back = tracker.hand_back();
+        assert!(!back.is_empty() && back.iter().all(|b| b.target == BarrierTarget::Memory), "{back:?}");
+    }
+}
+
+#[test]
 fn bindings_stand_in_the_order_of_the_uses() {
     let declaration = declaration();
     let (mut tracker, id) = (Tracker::new(&declaration), depth(&declaration));
@@ -233,7 +258,8 @@ fn arguments_name_what_the_host_has() {
     let frame = frame(&declaration);
     let (mut new, mut old) = (Barriers2::default(), LegacyBarriers::default());
     let aspects = vk::ImageAspectFlags::DEPTH;
-    let image = PhysicalResource::Image { image: vk::Image::null(), view: vk::ImageView::null(), aspects };
+    let subresource = Subresource { layer: 3, level: 1 };
+    let image = PhysicalResource::Image { image: vk::Image::null(), view: vk::ImageView::null(), aspects, subresource };
     let physical = |resource, _| (resource == id).then_some(image);
     let import = declaration.passes().iter().position(|p| p.uses.iter().any(|u| u.resource == id)).expect("a pass");
     let barriers = tracker.barriers(import, &frame);
@@ -241,7 +267,10 @@ fn arguments_name_what_the_host_has() {
     new.set(barriers, physical);
     old.set(barriers, physical);
     assert_eq!((new.images.len(), new.buffers.len(), new.memory.len()), (1, 0, 0));
-    assert_eq!(new.images[0].subresource_range.aspect_mask, aspects);
+    for range in [new.images[0].subresource_range, old.images[0].subresource_range] {
+        assert_eq!((range.aspect_mask, range.base_array_layer, range.base_mip_level), (aspects, 3, 1));
+        assert_eq!((range.layer_count, range.level_count), (1, 1));
+    }
     assert_eq!(
         (old.images.len(), old.src_stage, old.dst_stage),
         (1, vk::PipelineStageFlags::LATE_FRAGMENT_TESTS, vk::PipelineStageFlags::COMPUTE_SHADER)

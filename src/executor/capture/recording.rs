@@ -83,12 +83,7 @@ unsafe fn copy(device: &ash::Device, cmd: vk::CommandBuffer, from: &Object, exte
     };
     // SAFETY: `cmd` is recording; the image is live and in the layout of a copy's source, and the buffer has room for its texels.
     unsafe {
-        device.cmd_copy_image_to_buffer(
-            cmd,
-            image.image,
-            ResourceState::COPY_SOURCE.layout,
-            buffer,
-            &[region(image.format, extent)],
-        )
+        let layout = ResourceState::COPY_SOURCE.layout;
+        device.cmd_copy_image_to_buffer(cmd, image.image, layout, buffer, &[region(image, extent)])
     };
 }

@@ -52,7 +52,7 @@ impl Memory {
             // SAFETY: instance and physical device are live.
             limits: unsafe { Limits::new(host, options.largest_block) },
             objects: Objects::default(),
-            storages: Storages::new(declaration),
+            storages: Storages::new(declaration, options.stay_in_general),
             names: Names::new(host, options.debug_labels),
             labels: declaration.passes().iter().map(|p| CString::new(p.name.as_str()).unwrap_or_default()).collect(),
         };
@@ -69,7 +69,7 @@ impl Memory {
     /// objects is complete.
     pub(crate) unsafe fn reallocate(&mut self, declaration: &Declaration, options: &ExecutorOptions) -> Result<(), Error> {
         let objects = std::mem::take(&mut self.objects);
-        let storages = std::mem::replace(&mut self.storages, Storages::new(declaration));
+        let storages = std::mem::replace(&mut self.storages, Storages::new(declaration, options.stay_in_general));
         // SAFETY: the device is live, and formats, extents and limits were checked against it.
         let result = unsafe { self.allocate(declaration, options) };
         let replaced = if result.is_ok() {

@@ -4,7 +4,7 @@ use super::support::{assert_valid, gpu};
 use ash::vk;
 use atrous::config::NormalEncoding;
 use atrous::executor::{Executor, ExecutorOptions, HostImage};
-use atrous::{Config, Error, FrameParams, Phase, Tuning};
+use atrous::{Config, Error, FrameParams, Phase, Subresource, Tuning};
 use atrous_denoise::setup::{Options, Setup};
 use atrous_denoise::{frame, frame_files};
 use atrous_harness::DeviceTest;
@@ -68,7 +68,8 @@ impl Host {
             (image, memory, d.create_image_view(&info, None).expect("a view"))
         };
         let (stage, access) = (vk::PipelineStageFlags2::ALL_TRANSFER, vk::AccessFlags2::TRANSFER_WRITE);
-        let host = HostImage { image, view, format, extent, layout: vk::ImageLayout::GENERAL, stage, access };
+        let (subresource, layout) = (Subresource::default(), vk::ImageLayout::GENERAL);
+        let host = HostImage { image, view, subresource, format, extent, layout, stage, access };
         self.images.push((host, memory));
         host
     }
