@@ -76,7 +76,8 @@ uint host_position(ivec2 j, out ForwardPosition position) {
     if (v.z <= 0.0) return 0u;
     vec2 extent = vec2(frame.render_extent), previous_extent = vec2(frame.previous_render_extent);
     uint unit = convention(MOTION_UNIT_SHIFT);
-    precise vec2 m = v.xy * (unit == MOTION_PIXELS ? vec2(1.0) : unit == MOTION_UV ? extent : extent * 0.5);
+    precise vec2 scale = (unit == MOTION_PIXELS ? vec2(1.0) : unit == MOTION_UV ? extent : extent * 0.5) * frame.motion_scale;
+    precise vec2 m = v.xy * scale;
     if (has_convention(MOTION_Y_UP)) m.y = -m.y;
     precise vec2 start = (vec2(j) + 0.5) + frame.previous_jitter;
     precise vec2 move = m - frame.jitter;

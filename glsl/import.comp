@@ -134,7 +134,7 @@ bool host_motion(ivec2 p, out vec3 m) {
     uint unit = convention(MOTION_UNIT_SHIFT);
     vec2 ratio = extent_ratio(frame.render_extent, frame.previous_render_extent);
     vec2 scale = unit == MOTION_PIXELS ? ratio : unit == MOTION_UV ? previous_extent : previous_extent * 0.5;
-    m.xy *= scale;
+    m.xy *= scale * frame.motion_scale;
     if (has_convention(MOTION_NEGATED)) m.xy = -m.xy;
     if (has_convention(MOTION_Y_UP)) m.y = -m.y;
     // A sample lies jitter beside its pixel's centre, so a rasterised position is the true one minus jitter.
@@ -195,7 +195,7 @@ void main() {
     float z = depth_of(d, id, p);
     bool background = z == 0.0;
     vec3 n = world_normal(p, background);
-    float rough = is_present(ROUGHNESS) ? texelFetch(roughness, p, 0).x : 1.0;
+    float rough = is_present(ROUGHNESS) ? stored_roughness(texelFetch(roughness, p, 0)) : 1.0;
     if (!background && !is_roughness(rough)) count_bad(BAD_ROUGHNESS);
     imageStore(guide, p, background ? uvec4(0u) : pack_guide(Guide(z, is_dark_at(p), n, roughness_of(rough), fold_id(id))).bits);
     uvec4 packed_motion = pack_surface_motion(motion_of(p, z, id, n));

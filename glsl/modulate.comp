@@ -1,6 +1,7 @@
 #version 450
 // Multiplies the albedo back, adds the signals and what was emitted.
-// Source: [SVGF] section 3. The divisor is that of demodulate.comp, so the round trip is exact.
+// Source: [SVGF] section 3. The divisor is that of demodulate.comp, so the round trip is exact. Light that the host divided itself is multiplied
+// by the albedo as it is.
 // In:  filtered irradiance per signal; albedo and emission of the host, and for specular light, the second signal then, an albedo of its own,
 //      or specular_f0; guide. Out: denoised_radiance, linear Rec. 709.
 // Constant SPECULAR: the second signal is specular light.
@@ -17,6 +18,7 @@ layout(push_constant) uniform Push {
 
 #include "frame.glsl"
 #include "optional.glsl"
+#include "conventions.glsl"
 #include "statistics.glsl"
 #include "guide.glsl"
 #include "outgoing.glsl"
@@ -42,7 +44,10 @@ layout(set = 0, binding = SPECULAR_F0) uniform texture2D specular_f0;
 
 vec3 factor_at(ivec2 p) {
     if (!is_present(ALBEDO) || guide_depth(GuideBits(texelFetch(guide, p, 0))) == 0.0) return vec3(1.0);
-    return divisor_of(texelFetch(albedo, p, 0).rgb);
+    vec3 a = texelFetch(albedo, p, 0).rgb;
+    if (!has_convention(DEMODULATED)) return divisor_of(a);
+    if (!is_finite(a)) count_bad(BAD_ALBEDO);
+    return reflectance_of(a);
 }
 
 vec3 specular_factor_at(ivec2 p) {

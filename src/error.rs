@@ -44,13 +44,15 @@ pub enum Error {
         /// Largest legal value.
         max: u32,
     },
-    /// A distance of [`crate::config::Conventions`] is unusable.
-    #[error("Conventions::{name} is {given}; give a number above 0, or infinity where there is no such distance")]
+    /// A number of [`crate::config::Conventions`] is unusable.
+    #[error("Conventions::{name} is {given}; give {allowed}")]
     Conventions {
         /// Field of [`crate::config::Conventions`].
         name: &'static str,
         /// Value as given.
         given: f32,
+        /// Allowed values.
+        allowed: &'static str,
     },
     /// A choice has no value of this name or number.
     #[error("`{given}` is no {kind}; there are: {allowed}")]

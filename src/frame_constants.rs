@@ -31,6 +31,7 @@ pub struct FrameConstants {
     pub previous_lights: [[f32; 4]; 4],
     pub output_extent: [u32; 2],
     pub previous_output_extent: [u32; 2],
+    pub motion_scale: f32,
 }
 
 /// Bits of [`FrameConstants::flags`]: the reset, and your conventions.
@@ -60,6 +61,10 @@ impl Flags {
     pub const VIEW_POSITIVE_Z: u32 = 1 << 13;
     /// Roughness is GGX's α, the square of the perceptual one.
     pub const ROUGHNESS_ALPHA: u32 = 1 << 14;
+    /// Two bits: the channel of roughness.
+    pub const ROUGHNESS_CHANNEL_SHIFT: u32 = 17;
+    /// Light comes divided by the albedo.
+    pub const DEMODULATED: u32 = 1 << 19;
     /// The host re-shades the gradient samples of this frame.
     pub const RESHADED: u32 = 1 << 16;
 
@@ -77,5 +82,7 @@ impl Flags {
             | (c.motion_depth as u32) << Self::MOTION_DEPTH_SHIFT
             | bit(c.view_forward == ViewForward::PositiveZ, Self::VIEW_POSITIVE_Z)
             | bit(c.roughness == RoughnessEncoding::Alpha, Self::ROUGHNESS_ALPHA)
+            | (c.roughness_channel as u32) << Self::ROUGHNESS_CHANNEL_SHIFT
+            | bit(c.demodulated, Self::DEMODULATED)
     }
 }

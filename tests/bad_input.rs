@@ -17,7 +17,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("a_required_input_that_is_not_bound_is_named", a_required_input_that_is_not_bound_is_named),
     ("bindings_that_do_not_fit_are_refused_before_recording", bindings_that_do_not_fit_are_refused_before_recording),
     ("frame_parameters_out_of_range_are_named", frame_parameters_out_of_range_are_named),
-    ("a_background_depth_that_is_no_distance_is_named", a_background_depth_that_is_no_distance_is_named),
+    ("numbers_of_conventions_that_cannot_be_are_named", numbers_of_conventions_that_cannot_be_are_named),
     ("a_device_that_does_not_exist_lists_those_that_do", a_device_that_does_not_exist_lists_those_that_do),
     ("a_device_without_what_is_needed_is_told_so", a_device_without_what_is_needed_is_told_so),
     ("values_that_are_not_finite_are_counted_and_stop_here", values_that_are_not_finite_are_counted_and_stop_here),
@@ -123,7 +123,7 @@ fn frame_parameters_out_of_range_are_named() {
     s.run(&good, &Tuning::default()).expect("nothing was changed by what was refused");
 }
 
-fn a_background_depth_that_is_no_distance_is_named() {
+fn numbers_of_conventions_that_cannot_be_are_named() {
     for given in [f32::NAN, -1.0, 0.0, f32::NEG_INFINITY] {
         let conventions = Conventions { background_depth: given, ..Conventions::default() };
         let config = Config { conventions, ..Config::new([8, 8]) };
@@ -133,6 +133,11 @@ fn a_background_depth_that_is_no_distance_is_named() {
         }
         let graph = Graph::new([8, 8]).conventions(conventions).finish();
         assert!(matches!(graph, Err(Error::Conventions { .. })), "{given}");
+    }
+    for given in [f32::NAN, -1.0, 0.0, f32::INFINITY, 1e-40] {
+        let conventions = Conventions { motion_scale: given, ..Conventions::default() };
+        let message = Config { conventions, ..Config::new([8, 8]) }.declare().expect_err("refused").to_string();
+        assert!(message.contains(&format!("motion_scale is {given}")) && message.contains("motion_direction"), "{message}");
     }
     let far = Conventions { background_depth: f32::INFINITY, ..Conventions::default() };
     Config { conventions: far, ..Config::new([8, 8]) }.declare().expect("no such distance");

@@ -1,7 +1,7 @@
 //! What must hold whatever the picture: see also the CPU twins, which have the same properties.
 
 use super::support::{assert_valid, frame, gpu, pixels, rmse, scene::Scene, session, session_with, svgf, upload};
-use atrous::config::{PostProcess, Preset, Signals};
+use atrous::config::{Conventions, PostProcess, Preset, Signals};
 use atrous::executor::{AllocatedMemory, Session, SessionOptions};
 use atrous::{Config, FrameParams, ResetReason, Tuning};
 use atrous_harness::DeviceTest;
@@ -18,6 +18,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("the_render_extent_may_change_from_frame_to_frame", the_render_extent_may_change_from_frame_to_frame),
     ("the_sky_passes_untouched", the_sky_passes_untouched),
     ("emission_is_added_untouched", emission_is_added_untouched),
+    ("light_that_comes_divided_gives_the_same_picture", light_that_comes_divided_gives_the_same_picture),
     ("an_exposure_ratio_scales_the_history", an_exposure_ratio_scales_the_history),
     ("memory_is_what_the_executor_allocates", memory_is_what_the_executor_allocates),
     ("every_structural_variant_runs", every_structural_variant_runs),
@@ -46,6 +47,48 @@ fn an_output_that_lends_its_image_has_the_same_bits() {
             let (_, b) = frame(&mut apart, &guides, &params, &Tuning::default());
             assert_eq!(a, b, "{config:?}, frame {i}");
         }
+    }
+    assert_valid();
+}
+
+/// A host may divide by the albedo itself. What it divides by next to nothing is multiplied by as little again.
+fn light_that_comes_divided_gives_the_same_picture() {
+    let scene = Scene { speed: 0.1, ..Scene::new([40, 24]) };
+    for (preset, signals) in [Preset::Svgf, Preset::Best, Preset::Asvgf, Preset::Eaw]
+        .map(|preset| (preset, Signals::Together))
+        .into_iter()
+        .chain([(Preset::Best, Signals::Specular), (Preset::Svgf, Signals::Apart)])
+    {
+        let config = Config { preset, signals, ..Config::new(scene.extent) };
+        let conventions = Conventions { demodulated: true, ..Conventions::default() };
+        let [mut radiance, mut irradiance] = [config, Config { conventions, ..config }].map(|config| session(&config));
+        let tuning = Tuning::for_preset(preset);
+        for i in 0..4 {
+            let mut guides = scene.frame(i, i);
+            let albedo = [0.5, 0.25, 0.5, 1.0];
+            guides.albedo.fill(albedo);
+            let (_, expected) = frame(&mut radiance, &guides, &scene.params(i), &tuning);
+            upload(&mut irradiance, &guides);
+            let declaration = irradiance.executor().denoiser().declaration().clone();
+            for (name, texels) in guides.declared(&declaration) {
+                if name.starts_with("noisy_") && name != "noisy_specular" {
+                    let background = |k: usize| guides.depth[k][0] == 0.0;
+                    let divided = (texels.iter().enumerate())
+                        .map(|(k, t)| std::array::from_fn(|c| if background(k) { t[c] } else { t[c] / albedo[c] }));
+                    irradiance.upload(name, &divided.collect::<Vec<_>>()).expect(name);
+                }
+            }
+            irradiance.run(&scene.params(i), &tuning).expect("a frame");
+            let given = irradiance.download("denoised_radiance").expect("output");
+            assert!(rmse(&given, &expected) < 2e-3, "{config:?}, frame {i}: {}", rmse(&given, &expected));
+        }
+        irradiance.upload("albedo", &vec![[0.0; 4]; 40 * 24]).expect("albedo");
+        irradiance.run(&scene.params(3), &tuning).expect("a frame");
+        let black = irradiance.download("denoised_radiance").expect("output");
+        let depth = scene.frame(3, 3).depth;
+        let is_lit = |k: &usize| depth[*k][0] != 0.0 && black[*k][..3].iter().any(|c| *c != 0.0);
+        let lit = (0..depth.len()).filter(is_lit).count();
+        assert!(lit == 0 || signals == Signals::Specular, "{config:?}: {lit} black pixels are lit");
     }
     assert_valid();
 }

@@ -14,6 +14,8 @@ const uint MOTION_JITTERED = 1u << 10;
 const uint MOTION_DEPTH_SHIFT = 11u;
 const uint VIEW_POSITIVE_Z = 1u << 13;
 const uint ROUGHNESS_ALPHA = 1u << 14;
+const uint ROUGHNESS_CHANNEL_SHIFT = 17u;
+const uint DEMODULATED = 1u << 19;
 
 bool has_convention(uint flag) { return (CONVENTIONS & flag) != 0u; }
 

@@ -34,6 +34,7 @@ layout(set = 0, binding = 0, std140) FRAME_ACCESS FrameConstants {
     vec4 previous_lights[4];        // in the previous frame
     uvec2 output_extent;            // pixels
     uvec2 previous_output_extent;   // pixels
+    float motion_scale;             // factor of the host's motion
 } frame;
 
 const uint FLAG_RESET = 1u;

@@ -4,6 +4,8 @@
 #include "conventions.glsl"
 #include "finite.glsl"
 
+float stored_roughness(vec4 texel) { return texel[convention(ROUGHNESS_CHANNEL_SHIFT)]; }
+
 bool is_roughness(float stored) { return is_finite(stored) && stored >= 0.0 && stored <= 1.0; }
 
 // What is not finite counts as rough, which is filtered most.

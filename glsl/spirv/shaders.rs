@@ -8,6 +8,7 @@ const _: () = assert!(std::mem::offset_of!(FrameConstants, frame_index) == 416);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, inverse_filter_exposure) == 444);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, jitter) == 400);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, lights) == 464);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, motion_scale) == 608);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, output_extent) == 592);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_from_world) == 128);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_w_offset) == 436);

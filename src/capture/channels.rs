@@ -1,6 +1,6 @@
 //! Channels of the inputs in a file: the names of this project's data sets, which `atrous-denoise` knows.
 
-use crate::config::MotionDepth;
+use crate::config::{Conventions, MotionDepth};
 use crate::contract::texel::Plane;
 use crate::contract::Input;
 use exr::image::FlatSamples;
@@ -45,8 +45,11 @@ const FILTERED: [&str; 5] = [
 
 impl Layer {
     /// The layer of an input. Components that a texture lacks are written as 0, since a shader reads them so.
-    pub(crate) fn of_input(input: &str, motion_depth: MotionDepth, planes: Vec<Plane>, pixels: usize) -> Self {
-        let (name, components) = names(input, motion_depth);
+    pub(crate) fn of_input(input: &str, conventions: &Conventions, mut planes: Vec<Plane>, pixels: usize) -> Self {
+        let (name, components) = names(input, conventions.motion_depth);
+        if input == Input::ROUGHNESS.name {
+            planes.drain(..planes.len().min(conventions.roughness_channel as usize));
+        }
         let mut planes = planes.into_iter().map(|plane| match plane {
             Plane::Half(samples) => FlatSamples::F16(samples),
             Plane::Float(samples) => FlatSamples::F32(samples),

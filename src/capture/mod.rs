@@ -214,12 +214,7 @@ impl SequenceWriter {
             to[..row].copy_from_slice(from);
         }
         let planes = texel.planes(&texels);
-        Ok(Layer::of_input(
-            name,
-            self.declaration.setup().conventions.motion_depth,
-            planes,
-            extent[0] as usize * extent[1] as usize,
-        ))
+        Ok(Layer::of_input(name, &self.declaration.setup().conventions, planes, extent[0] as usize * extent[1] as usize))
     }
 
     pub(crate) fn error(&self, problem: String) -> Error {

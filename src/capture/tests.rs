@@ -1,6 +1,7 @@
 //! Refusals of the writer, and that they leave nothing behind.
 
 use super::*;
+use crate::contract::texel::Plane;
 use crate::Config;
 
 const EXTENT: [u32; 2] = [3, 2];
@@ -136,6 +137,21 @@ fn a_folder_that_cannot_be_made_is_named() {
     assert!(message.contains("below") && message.contains("Choose a folder"), "{message}");
 }
 
+/// A file has it in the one channel of its layer.
+#[test]
+fn roughness_is_written_from_its_channel() {
+    use crate::config::{Channel, Conventions};
+    let planes = || (0..4).map(|i| Plane::Float(vec![i as f32])).collect::<Vec<_>>();
+    for (channel, expected) in [(Channel::R, 0.0), (Channel::G, 1.0), (Channel::A, 3.0)] {
+        let conventions = Conventions { roughness_channel: channel, ..Default::default() };
+        let layer = Layer::of_input("roughness", &conventions, planes(), 1);
+        let values: Vec<Vec<f32>> = layer.planes.iter().map(|(_, plane)| plane.values_as_f32().collect()).collect();
+        assert_eq!(values, [[expected]], "{channel}");
+        let other = Layer::of_input("noisy_visibility", &conventions, planes(), 1);
+        assert_eq!(other.planes[0].1.values_as_f32().collect::<Vec<_>>(), [0.0]);
+    }
+}
+
 /// The description of a capture without a single default, as `golden_sequence.json` has it.
 fn written_now(folder: &Path) -> String {
     use crate::config::*;
@@ -151,6 +167,9 @@ fn written_now(folder: &Path) -> String {
         motion_depth: MotionDepth::Absolute,
         view_forward: ViewForward::PositiveZ,
         roughness: RoughnessEncoding::Alpha,
+        motion_scale: 0.02,
+        roughness_channel: Channel::B,
+        demodulated: true,
     };
     let config = Config {
         preset: Preset::Percentile,

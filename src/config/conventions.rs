@@ -87,6 +87,20 @@ choices! {
         PositiveZ = 1 => "positive_z",
     }
 
+    /// A channel of an image.
+    #[derive(Default)]
+    pub enum Channel {
+        /// Red.
+        #[default]
+        R = 0 => "r",
+        /// Green.
+        G = 1 => "g",
+        /// Blue.
+        B = 2 => "b",
+        /// Alpha.
+        A = 3 => "a",
+    }
+
     /// Encoding of `roughness`.
     #[derive(Default)]
     pub enum RoughnessEncoding {
@@ -101,8 +115,12 @@ choices! {
 macro_rules! conventions {
     (
         config { $($config:tt)+ }
-        conventions { $($(#[doc = $doc:literal])+ $(@[$attribute:meta])* $name:ident: $of:ident $kind:ident $type:ty = $default:expr;)+ }
+        conventions { $($first:tt)+ }
+        later_conventions { $($later:tt)+ }
     ) => {
+        conventions! { $($first)+ $($later)+ }
+    };
+    ($($(#[doc = $doc:literal])+ $(@[$attribute:meta])* $name:ident: $of:ident $kind:ident $type:ty = $default:expr;)+) => {
         /// Encodings of your guides. Only the stage `import` knows them; after it there is one
         /// encoding.
         ///
@@ -135,12 +153,19 @@ macro_rules! conventions {
 crate::config_fields!(conventions);
 
 impl Conventions {
-    /// Checks the one number among them.
+    /// Checks the numbers among them.
     ///
     /// # Errors
-    /// [`Error::Conventions`] for a `background_depth` that is not above 0.
+    /// [`Error::Conventions`] for a `background_depth` that is not above 0, and a `motion_scale` that is no factor.
     pub fn validate(&self) -> Result<(), Error> {
-        let given = self.background_depth;
-        (given > 0.0).then_some(()).ok_or(Error::Conventions { name: "background_depth", given })
+        let Self { background_depth, motion_scale, .. } = *self;
+        let refused = |name, given, allowed| Err(Error::Conventions { name, given, allowed });
+        if background_depth.is_nan() || background_depth <= 0.0 {
+            return refused("background_depth", background_depth, "a number above 0, or infinity where there is no such distance");
+        }
+        if !motion_scale.is_normal() || motion_scale < 0.0 {
+            return refused("motion_scale", motion_scale, "a number above 0, and the sign by motion_direction");
+        }
+        Ok(())
     }
 }

@@ -6,7 +6,7 @@ use crate::error::Error;
 /// the C ABI elsewhere. No part of the public interface.
 ///
 /// A row: documentation, attributes behind `@`, name, `filter` where it chooses one and `host` where it says something of the host,
-/// kind, type and default.
+/// kind, type and default. `later_conventions` are conventions as well; they stand at the end, since the struct of C only grows.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! config_fields {
@@ -109,6 +109,16 @@ macro_rules! config_fields {
                 view_forward: host choice ViewForward = ViewForward::default();
                 /// Encoding of roughness. Default: [`RoughnessEncoding::Linear`].
                 roughness: host choice RoughnessEncoding = RoughnessEncoding::default();
+            }
+            later_conventions {
+                /// Factor of the motion's x and y, above 0. For example 50, if you store pixels times 0.02. Default: 1.0.
+                motion_scale: host factor f32 = 1.0;
+                /// Channel of `roughness` that holds it, for example alpha behind a reflectance. Default: [`Channel::R`].
+                roughness_channel: host choice Channel = Channel::default();
+                /// Whether your light comes divided by `albedo`, as irradiance: all noisy signals but `noisy_specular` and
+                /// `noisy_volume`, and `other_denoised_radiance`. The filter then multiplies by the albedo, and does not divide.
+                /// Default: false.
+                demodulated: host flag bool = false;
             }
         }
     };

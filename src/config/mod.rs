@@ -14,7 +14,7 @@ mod serde_tests;
 
 pub use choices::{AdaptiveRule, GradientSource, PostProcess, Preset, Sampling, Signals};
 pub use conventions::{
-    Conventions, DepthEncoding, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, NormalSpace, RoughnessEncoding,
+    Channel, Conventions, DepthEncoding, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, NormalSpace, RoughnessEncoding,
     ViewForward,
 };
 pub use eaw_weights::EawWeights;
@@ -24,6 +24,7 @@ macro_rules! config {
     (
         config { $($(#[doc = $doc:literal])+ $(@[$attribute:meta])* $name:ident: $of:ident $kind:ident $type:ty = $default:expr;)+ }
         conventions { $($conventions:tt)+ }
+        later_conventions { $($later_conventions:tt)+ }
     ) => {
         /// Choices that you make once for a preset. Numbers that may change from frame to frame are in
         /// [`crate::Tuning`].

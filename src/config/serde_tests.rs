@@ -44,6 +44,9 @@ fn config() -> Config {
             motion_depth: MotionDepth::Difference,
             view_forward: ViewForward::PositiveZ,
             roughness: RoughnessEncoding::Alpha,
+            motion_scale: 0.02,
+            roughness_channel: Channel::A,
+            demodulated: true,
         },
     }
 }

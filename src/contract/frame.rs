@@ -256,6 +256,7 @@ fn constants(setup: &Setup, now: &FrameParams, before: &FrameParams, index: u64,
         }),
         output_extent: setup.output_of(now.render_extent),
         previous_output_extent: setup.output_of(before.render_extent),
+        motion_scale: setup.conventions.motion_scale,
     }
 }
 

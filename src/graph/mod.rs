@@ -148,6 +148,11 @@ impl Graph {
         self.setup.output_extent.is_some()
     }
 
+    /// Whether light comes divided by the albedo.
+    pub(crate) fn gets_irradiance(&self) -> bool {
+        self.setup.conventions.demodulated
+    }
+
     /// Frames that you record before you wait for the oldest, 1 to 8. Default: 2.
     pub fn frames_in_flight(self, frames_in_flight: u32) -> Self {
         Self { setup: Setup { frames_in_flight, ..self.setup }, ..self }

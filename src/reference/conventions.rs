@@ -70,6 +70,16 @@ pub(crate) fn motion_depth(frame: &FrameConstants) -> MotionDepth {
     }
 }
 
+/// The component of a texel of roughness that holds it.
+pub(crate) fn roughness_channel(frame: &FrameConstants) -> usize {
+    two_bits(frame, Flags::ROUGHNESS_CHANNEL_SHIFT) as usize
+}
+
+/// Whether light comes divided by the albedo.
+pub(crate) fn is_demodulated(frame: &FrameConstants) -> bool {
+    has(frame, Flags::DEMODULATED)
+}
+
 pub(crate) fn roughness_is_alpha(frame: &FrameConstants) -> bool {
     has(frame, Flags::ROUGHNESS_ALPHA)
 }

@@ -66,11 +66,12 @@ pub(crate) fn reproject(
 pub fn motion_in_pixels(frame: &FrameConstants, motion: [f32; 2]) -> [f32; 2] {
     let (ratio, v) = (extent_ratio(frame), Vec2::from(motion));
     let v = if motion_is_negated(frame) { -v } else { v };
-    let v = match motion_unit(frame) {
-        MotionUnit::Pixels => v * ratio,
-        MotionUnit::Uv => v * extent(frame.previous_render_extent),
-        MotionUnit::Ndc => v * extent(frame.previous_render_extent) * 0.5,
+    let scale = match motion_unit(frame) {
+        MotionUnit::Pixels => ratio,
+        MotionUnit::Uv => extent(frame.previous_render_extent),
+        MotionUnit::Ndc => extent(frame.previous_render_extent) * 0.5,
     };
+    let v = v * (scale * frame.motion_scale);
     let v = if motion_points_up(frame) { Vec2::new(v.x, -v.y) } else { v };
     // A jittered raster shows x at x − offset: the motion in it lacks the change of the offset.
     let lacks = previous_sample_offset(frame) - sample_offset(frame) * ratio;

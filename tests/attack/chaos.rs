@@ -3,8 +3,8 @@
 use crate::graphs::dice::Dice;
 use crate::support::{assert_finite, assert_valid, session, soak};
 use atrous::config::{
-    AdaptiveRule, Conventions, DepthEncoding, EawWeights, GradientSource, MotionDepth, MotionDirection, MotionUnit, NormalEncoding,
-    NormalSpace, PostProcess, Preset, RoughnessEncoding, Sampling, Signals, ViewForward,
+    AdaptiveRule, Channel, Conventions, DepthEncoding, EawWeights, GradientSource, MotionDepth, MotionDirection, MotionUnit,
+    NormalEncoding, NormalSpace, PostProcess, Preset, RoughnessEncoding, Sampling, Signals, ViewForward,
 };
 use atrous::executor::Session;
 use atrous::{Component, Config, DebugView, FrameParams, ImageFormat, Lifetime, ResetReason, Shape, TexelGrid, Tuning};
@@ -23,6 +23,9 @@ pub fn config(dice: &mut Dice) -> Config {
         motion_depth: dice.one_of(&MotionDepth::ALL),
         view_forward: dice.one_of(&ViewForward::ALL),
         roughness: dice.one_of(&RoughnessEncoding::ALL),
+        motion_scale: dice.one_of(&[1.0, 1e-30, 0.02, f32::MAX]),
+        roughness_channel: dice.one_of(&Channel::ALL),
+        demodulated: dice.coin(),
     };
     Config {
         allocated_extent: [1 + dice.below(40), 1 + dice.below(30)],

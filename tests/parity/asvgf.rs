@@ -70,8 +70,9 @@ pub fn transforms_and_forward_motion() {
         });
     }
     for motion_unit in [MotionUnit::Uv, MotionUnit::Pixels, MotionUnit::Ndc] {
-        let conventions =
-            atrous::config::Conventions { motion_unit, motion_y_up: motion_unit == MotionUnit::Ndc, ..Default::default() };
+        let is_ndc = motion_unit == MotionUnit::Ndc;
+        let motion_scale = if is_ndc { 0.7 } else { 1.0 };
+        let conventions = atrous::config::Conventions { motion_unit, motion_scale, motion_y_up: is_ndc, ..Default::default() };
         sequence(&Config { conventions, forward_motion: true, ..config([40, 23]) }, [40, 23], |s, i, scene| {
             let depth = scene.frame(i, i).depth;
             let motion = depth.iter().enumerate().map(|(k, z)| match k % 7 {

@@ -3,7 +3,7 @@
 use super::run;
 use crate::support::{assert_valid, pixels, scene::Guides, scene::Scene, session_with, svgf, svgf_tuning};
 use atrous::config::{
-    Conventions, DepthEncoding, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, NormalSpace, ViewForward,
+    Channel, Conventions, DepthEncoding, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, NormalSpace, ViewForward,
 };
 use atrous::executor::SessionOptions;
 use atrous::{Config, FrameParams};
@@ -19,6 +19,7 @@ pub fn every_encoding() {
         Conventions { normal_space: NormalSpace::View, motion_depth: MotionDepth::Difference, ..base },
         Conventions { motion_depth: MotionDepth::Absolute, background_depth: 5.9, ..base },
         Conventions { view_forward: ViewForward::PositiveZ, ..base },
+        Conventions { motion_unit: MotionUnit::Pixels, motion_scale: 50.0, roughness_channel: Channel::A, ..base },
     ];
     for conventions in cases {
         for with_motion in [true, false] {
@@ -56,7 +57,7 @@ fn encoded(conventions: Conventions, with_motion: bool) {
     let scene = Scene { speed: 0.15, ..Scene::new([41, 23]) };
     let config = Config { conventions, ..svgf(scene.extent) };
     let mut s = session_with(&config, SessionOptions { poison: true, keep_transients: true, ..Default::default() });
-    let roughness: Vec<_> = pixels(scene.extent).map(|(x, y)| [(x + y) as f32 / 64.0; 4]).collect();
+    let roughness: Vec<_> = pixels(scene.extent).map(|(x, y)| [0.9, 0.8, 0.7, (x + y) as f32 / 64.0]).collect();
     s.upload("roughness", &roughness).expect("roughness");
     for i in 0..2 {
         let params = FrameParams { jitter: [0.25 - 0.6 * i as f32, 0.4 * i as f32 - 0.4], ..params(&scene, i, &conventions) };
@@ -109,6 +110,7 @@ fn encode(g: &mut Guides, scene: &Scene, params: &FrameParams, c: &Conventions) 
         if c.motion_unit == MotionUnit::Pixels {
             g.motion[i][0] *= scene.extent[0] as f32;
         }
+        g.motion[i][0] /= c.motion_scale;
     }
 }
 

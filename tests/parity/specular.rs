@@ -2,20 +2,23 @@
 
 use super::super::support::{assert_valid, scene::Scene, session_with, svgf, svgf_tuning, upload};
 use super::run;
-use atrous::config::{Conventions, Preset, RoughnessEncoding, Signals};
+use atrous::config::{Channel, Conventions, Preset, RoughnessEncoding, Signals};
 use atrous::executor::SessionOptions;
 use atrous::reference::InstanceTransform;
 use atrous::{Config, Counter, Tuning};
 
 /// A reflectance at normal incidence in the place of an albedo, GGX's α in the place of the roughness, and no hit distance at first.
 pub fn by_f0() {
-    let conventions = Conventions { roughness: RoughnessEncoding::Alpha, ..Conventions::default() };
+    let conventions =
+        Conventions { roughness: RoughnessEncoding::Alpha, roughness_channel: Channel::G, demodulated: true, ..Default::default() };
     let config = Config { signals: Signals::Specular, preset: Preset::Best, conventions, ..Config::new([40, 23]) };
     let scene = Scene { speed: 0.12, ..Scene::new([40, 23]) };
     let mut s = session_with(&config, SessionOptions { poison: true, keep_transients: true, ..Default::default() });
     for i in 0..4 {
         let guides = scene.frame(i, i);
         upload(&mut s, &guides);
+        let second: Vec<_> = guides.roughness.iter().map(|r| [f32::NAN, r[0], 0.0, 0.0]).collect();
+        s.upload("roughness", &second).expect("roughness");
         s.upload("specular_f0", &guides.albedo).expect("specular_f0");
         s.unbind("specular_albedo").expect("optional");
         if i < 2 {

@@ -159,6 +159,13 @@ typedef enum AtrousRoughness {
   ATROUS_ROUGHNESS_ALPHA = 1,
 } AtrousRoughness;
 
+typedef enum AtrousRoughnessChannel {
+  ATROUS_ROUGHNESS_CHANNEL_R = 0,
+  ATROUS_ROUGHNESS_CHANNEL_G = 1,
+  ATROUS_ROUGHNESS_CHANNEL_B = 2,
+  ATROUS_ROUGHNESS_CHANNEL_A = 3,
+} AtrousRoughnessChannel;
+
 typedef enum AtrousPreset {
   ATROUS_PRESET_SVGF = 0,
   ATROUS_PRESET_ASVGF = 1,
@@ -595,6 +602,14 @@ typedef struct AtrousConfig {
   // `PostProcess::None`. Costs 16 bytes per pixel of the output, and 8 of the result. None: the picture has the size
   // that you rendered. 0, 0 is none. Default: 0, 0.
   uint32_t output_extent[2];
+  // Factor of the motion's x and y, above 0. For example 50, if you store pixels times 0.02. Default: 1.0.
+  float motion_scale;
+  // Channel of `roughness` that holds it, for example alpha behind a reflectance. 0 (r), 1 (g), 2 (b), 3 (a). Default: 0.
+  uint32_t roughness_channel;
+  // Whether your light comes divided by `albedo`, as irradiance: all noisy signals but `noisy_specular` and
+  // `noisy_volume`, and `other_denoised_radiance`. The filter then multiplies by the albedo, and does not divide. 0
+  // (false), 1 (true). Default: 0.
+  uint32_t demodulated;
 } AtrousConfig;
 
 // The device of the passes. Handles stay yours.

@@ -65,6 +65,14 @@ enum class Roughness : uint32_t {
 };
 inline void set(AtrousConfig& config, Roughness value) { config.roughness = static_cast<uint32_t>(value); }
 
+enum class RoughnessChannel : uint32_t {
+    R = ATROUS_ROUGHNESS_CHANNEL_R,
+    G = ATROUS_ROUGHNESS_CHANNEL_G,
+    B = ATROUS_ROUGHNESS_CHANNEL_B,
+    A = ATROUS_ROUGHNESS_CHANNEL_A,
+};
+inline void set(AtrousConfig& config, RoughnessChannel value) { config.roughness_channel = static_cast<uint32_t>(value); }
+
 enum class Preset : uint32_t {
     Svgf = ATROUS_PRESET_SVGF,
     Asvgf = ATROUS_PRESET_ASVGF,

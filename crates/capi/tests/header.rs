@@ -50,7 +50,9 @@ fn config() -> String {
     field("struct_size", "sizeof(AtrousConfig).");
     field("width", "Width of your images, pixels.");
     field("height", "Height of your images, pixels.");
-    for config_field in Conventions::FIELDS.iter().chain(Config::FIELDS) {
+    let all: Vec<_> = Conventions::FIELDS.iter().chain(Config::FIELDS).collect();
+    for name in AtrousConfig::FIELDS {
+        let config_field = *all.iter().find(|field| field.name == *name).expect(name);
         let ConfigField { name, values, .. } = config_field;
         let list: Vec<_> = values().iter().map(|(value, number)| format!("{number} ({value})")).collect();
         let bits: Vec<_> = EawWeights::NAMES.iter().enumerate().map(|(bit, name)| format!("{} ({name})", 1 << bit)).collect();

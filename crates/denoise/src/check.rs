@@ -138,7 +138,7 @@ fn remedies(name: &str, finding: &Finding, report: &Report, (declared, scales): 
     let options: Vec<String> =
         options.filter(|(key, _)| keys.contains(&key.as_str())).map(|(key, value)| format!("--convention {key}={value}")).collect();
     let scale = match name {
-        "motion" => Some(("motion_scale", scales.motion)),
+        "motion" => Some(("motion_scale", declared.motion_scale)),
         "depth and matrices" => Some(("depth_scale", scales.depth)),
         _ => None,
     };

@@ -4,7 +4,7 @@ use crate::layouts::Layout;
 use crate::mapping::Mapping;
 use crate::roles::Role;
 use atrous::config::{
-    Conventions, DepthEncoding, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, NormalSpace, RoughnessEncoding,
+    Channel, Conventions, DepthEncoding, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, NormalSpace, RoughnessEncoding,
     ViewForward,
 };
 use atrous::Choice;
@@ -19,13 +19,11 @@ const BLENDER_BACKGROUND: f32 = 1e9;
 pub struct Scales {
     /// Of depth, unless it is that of a depth buffer.
     pub depth: f32,
-    /// Of motion.
-    pub motion: f32,
 }
 
 impl Default for Scales {
     fn default() -> Self {
-        Self { depth: 1.0, motion: 1.0 }
+        Self { depth: 1.0 }
     }
 }
 
@@ -37,7 +35,6 @@ impl Scales {
     pub fn set(&mut self, key: &str, value: &str) -> Option<Result<(), String>> {
         let field = match key {
             "depth_scale" => &mut self.depth,
-            "motion_scale" => &mut self.motion,
             _ => return None,
         };
         let factor = value.parse::<f32>().ok().filter(|factor| factor.is_normal() && *factor > 0.0);
@@ -93,6 +90,8 @@ pub fn keys() -> String {
         ("motion_depth", names::<MotionDepth>()),
         ("view_forward", names::<ViewForward>()),
         ("roughness", names::<RoughnessEncoding>()),
+        ("roughness_channel", names::<Channel>()),
+        ("demodulated", "true|false".to_owned()),
     ]
     .map(|(key, values)| format!("{key}={values}"))
     .join(", ")

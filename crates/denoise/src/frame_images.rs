@@ -148,7 +148,8 @@ impl Channels<'_> {
         let pixels = self.setup.pixels();
         let is_specular = self.setup.config.signals == Signals::Specular;
         images.extend(self.albedo(is_specular).map(|a| ("albedo", a)));
-        images.extend(self.vectors(Role::Roughness).map(|r| ("roughness", r)));
+        // In every channel, since the conventions may be those of a host's image.
+        images.extend(self.scalars(Role::Roughness).map(|r| ("roughness", r.into_iter().map(|r| [r; 4]).collect())));
         if is_specular {
             images.extend(self.vectors(Role::SpecularAlbedo).map(|a| ("specular_albedo", a)));
             images.extend(self.vectors(Role::HitDistance).map(|d| ("specular_hit_distance", d)));
@@ -221,7 +222,7 @@ impl Channels<'_> {
             return still();
         }
         let mut motion = self.vectors(Role::Motion)?;
-        let [x, y] = self.setup.motion_scale();
+        let [x, y] = self.setup.motion_share();
         motion.iter_mut().for_each(|m| (m[0], m[1]) = (m[0] * x, m[1] * y));
         let depth = match self.setup.config.conventions.motion_depth {
             MotionDepth::None => None,

@@ -128,6 +128,7 @@ impl<'a> Projection<'a> {
             MotionUnit::Uv => m *= self.extent,
             MotionUnit::Ndc => m *= self.extent * 0.5,
         }
+        m *= c.motion_scale;
         if c.motion_direction == MotionDirection::CurrentMinusPrevious {
             m = -m;
         }

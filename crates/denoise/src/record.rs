@@ -42,7 +42,6 @@ impl Record {
             "keep_layers": made.keeps_layers,
             "scaled by 2^": setup.range.exponent,
             "depth_scale": setup.scales.depth,
-            "motion_scale": setup.scales.motion,
             "stills": setup.stills,
             "smoothed": setup.smoothed,
             "depth looked up": setup.carries_depth,

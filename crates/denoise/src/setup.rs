@@ -217,12 +217,11 @@ impl Setup {
     }
 
     /// The factor of motion that is told in parts of the display window: the picture may have overscan.
-    pub fn motion_scale(&self) -> [f32; 2] {
-        let of_display = match self.config.conventions.motion_unit {
+    pub fn motion_share(&self) -> [f32; 2] {
+        match self.config.conventions.motion_unit {
             MotionUnit::Pixels => [1.0; 2],
             MotionUnit::Uv | MotionUnit::Ndc => self.display().0,
-        };
-        of_display.map(|share| share * self.scales.motion)
+        }
     }
 
     /// A projection to the display window, for the whole picture.

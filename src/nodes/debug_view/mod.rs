@@ -71,7 +71,7 @@ impl Graph {
             .bind_some("instance_transforms", self.given(Input::INSTANCE_TRANSFORMS))
             .bind_some("visibility_history", intermediates.visibility.map(|visibility| visibility.image()));
         if intermediates.albedo {
-            pass = pass.bind("albedo", self.input(Input::ALBEDO));
+            pass = pass.bind_some("albedo", self.dividing_albedo());
         }
         if let Some(history) = &intermediates.history {
             pass = pass.each("luminance_history", &self.current_luminance_history(history));

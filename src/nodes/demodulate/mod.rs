@@ -57,11 +57,13 @@ pub(super) struct Divisor {
 
 impl Divisor {
     fn new(graph: &mut Graph, albedo: Albedo) -> Self {
-        let mut input = |input| Some(graph.input(input));
         match albedo {
             Albedo::None => Self { albedo: None, specular_f0: None },
-            Albedo::Diffuse => Self { albedo: input(Input::ALBEDO), specular_f0: None },
-            Albedo::Specular => Self { albedo: input(Input::SPECULAR_ALBEDO), specular_f0: input(Input::SPECULAR_F0) },
+            Albedo::Diffuse => Self { albedo: graph.dividing_albedo(), specular_f0: None },
+            Albedo::Specular => {
+                let mut input = |input| Some(graph.input(input));
+                Self { albedo: input(Input::SPECULAR_ALBEDO), specular_f0: input(Input::SPECULAR_F0) }
+            }
         }
     }
 
@@ -77,6 +79,11 @@ impl Default for Demodulate {
 }
 
 impl Graph {
+    /// The albedo that light is divided by; none where it comes divided.
+    pub(crate) fn dividing_albedo(&mut self) -> Option<Image> {
+        (!self.gets_irradiance()).then(|| self.input(Input::ALBEDO))
+    }
+
     /// Irradiance of one or two signals. Radiance that is not finite is no sample: it is counted, its pixel takes the mean of the samples
     /// around it, and a negative alpha tells the accumulation so.
     pub fn demodulate(&mut self, guides: &Guides, noisy: &Radiance, demodulate: Demodulate) -> Irradiance {
@@ -105,7 +112,7 @@ impl Graph {
         }
         self.add(pass);
         let irradiance = self.renewed(&irradiance);
-        let Some(samples) = demodulate.samples.filter(|_| demodulate.albedo != Albedo::None) else { return irradiance };
+        let Some(samples) = demodulate.samples.filter(|_| divisor.albedo.is_some()) else { return irradiance };
         self.sample_albedo(guides, &irradiance, divisor, &samples);
         self.renewed(&irradiance)
     }

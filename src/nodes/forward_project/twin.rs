@@ -206,11 +206,12 @@ impl Projection<'_> {
         let numerator = |i: usize| {
             let (extent, previous) = (frame.render_extent[i] as f32, frame.previous_render_extent[i] as f32);
             let motion = [x, y][i]
-                * match motion_unit(frame) {
+                * (match motion_unit(frame) {
                     MotionUnit::Pixels => 1.0,
                     MotionUnit::Uv => extent,
                     MotionUnit::Ndc => extent * 0.5,
-                };
+                }
+                * frame.motion_scale);
             let motion = if i == 1 && motion_points_up(frame) { -motion } else { motion };
             let start = pixel.as_vec2()[i] + 0.5 + frame.previous_jitter[i];
             start * extent + (motion - frame.jitter[i]) * previous

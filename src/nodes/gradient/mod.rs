@@ -79,7 +79,7 @@ impl Graph {
             .grid(Grid::Strata(size))
             .constant("STRATUM_SIZE", size)
             .bind("guide", guides.guide)
-            .bind("albedo", self.input(Input::ALBEDO))
+            .bind_some("albedo", self.dividing_albedo())
             .each("noisy", noisy.images())
             .bind("gradient", image)
             .bind("gradient_guide", guide);

@@ -55,7 +55,7 @@ impl Graph {
             pass = pass.bind("surface_id", self.input(Input::SURFACE_ID));
         }
         if import.albedo {
-            pass = pass.bind("albedo", self.input(Input::ALBEDO));
+            pass = pass.bind_some("albedo", self.dividing_albedo());
         }
         if import.object_normal {
             pass = pass.bind("object_normal", self.input(Input::OBJECT_NORMAL));

@@ -4,7 +4,7 @@
 use crate::nodes::demodulate::twin::{darkness, reflectance};
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
-use crate::reference::conventions::{normal_encoding, normals_are_in_view_space};
+use crate::reference::conventions::{normal_encoding, normals_are_in_view_space, roughness_channel};
 use crate::reference::guide::{fold_id, pack_guide, Surface};
 use crate::reference::octahedral::{decode_normal, octahedral10};
 use crate::reference::projection::Projections;
@@ -41,7 +41,7 @@ pub(crate) struct ImportInputs<'a> {
     pub surface_id: Option<&'a Image<u32>>,
     /// Linear reflectance, which light is divided by.
     pub albedo: Option<&'a Image<[f32; 4]>>,
-    /// x: roughness, 0 to 1.
+    /// Roughness, 0 to 1, in the channel of the conventions.
     pub roughness: Option<&'a Image<[f32; 4]>>,
     /// Transforms of the host's instances by surface id; instances beyond the end, and those with an entry that is not finite, did
     /// not move.
@@ -137,7 +137,7 @@ fn texel(frame: &FrameConstants, inputs: &ImportInputs, projections: &Projection
         return Texel { surface_motion: pack_surface_motion(motion, None), is_motion_bad: reprojection.is_bad, ..Texel::default() };
     }
     let (normal, is_normal_bad) = world_normal(frame, projections, inputs.normal.at(p));
-    let roughness = inputs.roughness.map_or(1.0, |r| r.at(p)[0]);
+    let roughness = inputs.roughness.map_or(1.0, |r| r.at(p)[roughness_channel(frame)]);
     let surface = Surface {
         linear_depth,
         is_dark: inputs.albedo.is_some_and(|albedo| darkness(reflectance(albedo.at(p))) > 0.5),

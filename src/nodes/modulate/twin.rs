@@ -1,8 +1,9 @@
 //! The stage `modulate`: irradiance multiplied by albedo again, signals summed, emission added \[SVGF 3\].
 
-use crate::nodes::demodulate::twin::{albedo_at, divisor};
+use crate::nodes::demodulate::twin::{albedo_at, divisor, reflectance};
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::{Condition, Rule};
+use crate::reference::conventions::is_demodulated;
 use crate::reference::guide::unpack_guide;
 use crate::reference::outgoing::Outgoing;
 use crate::reference::rules::{pixels, rounded, HALF, STATISTICS};
@@ -45,15 +46,18 @@ pub(crate) struct ModulateInputs<'a> {
 pub(crate) struct ModulateOutputs {
     /// rgb: linear radiance, from 0 on; alpha 1.
     pub denoised_radiance: Image<[f32; 4]>,
-    /// Bad emissions. Bad albedos were counted by `demodulate`.
+    /// Bad emissions. Bad albedos were counted by `demodulate`, unless light came divided.
     pub statistics: Statistics,
 }
 
-/// `Σ_signals c·divisor + emission`, with the divisor of each signal.
+/// `Σ_signals c·divisor + emission`, with the divisor of each signal, or the albedo where light came divided.
 pub(crate) fn modulate(frame: &FrameConstants, inputs: &ModulateInputs) -> ModulateOutputs {
     let texels = Image::compute(inputs.guide.extent(), frame.render_extent, |p| {
         let surface = unpack_guide(inputs.guide.at(p));
-        let (albedo, _) = divisor(inputs.albedo.filter(|_| !surface.is_background()).map(|albedo| albedo.at(p)));
+        let albedo = inputs.albedo.filter(|_| !surface.is_background()).map(|albedo| albedo.at(p));
+        let (divisor_of_albedo, is_albedo_bad) = divisor(albedo);
+        let comes_divided = is_demodulated(frame);
+        let albedo = if comes_divided { reflectance(albedo.unwrap_or([1.0; 4])) } else { divisor_of_albedo };
         let factors = [albedo, inputs.specular.map_or(albedo, |s| divisor(albedo_at(frame, &surface, s.albedo, s.f0, p)).0)];
         let [r, g, b, _] = inputs.emission.map_or([0.0; 4], |emission| emission.at(p));
         let is_bad = [r, g, b].iter().any(|e| !e.is_finite());
@@ -63,11 +67,12 @@ pub(crate) fn modulate(frame: &FrameConstants, inputs: &ModulateInputs) -> Modul
             reflected * frame.inverse_filter_exposure + emission[i]
         });
         let [r, g, b] = radiance.map(|c| inputs.outgoing.store(c));
-        ([r, g, b, 1.0], is_bad, inputs.outgoing.is_too_bright(radiance))
+        ([r, g, b, 1.0], is_bad, inputs.outgoing.is_too_bright(radiance), comes_divided && is_albedo_bad)
     });
     let mut statistics = Statistics::default();
     statistics[Counter::Emission] = count(texels.texels().iter().map(|t| t.1));
     statistics[Counter::Saturated] = count(texels.texels().iter().map(|t| t.2));
+    statistics[Counter::Albedo] = count(texels.texels().iter().map(|t| t.3));
     ModulateOutputs { denoised_radiance: texels.map(|t| t.0), statistics }
 }
 

@@ -4,7 +4,7 @@ use crate::nodes::temporal_accumulation::twin::{blend, fresh, AlphaBounds, Repro
 use crate::reference::binary16::LARGEST_HALF;
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
-use crate::reference::conventions::is_reset;
+use crate::reference::conventions::{is_reset, roughness_channel};
 use crate::reference::guide::{unpack_guide, Surface};
 use crate::reference::luminance::texel_luminance;
 use crate::reference::luminance_history::{pack_luminance_history, split_luminance_history, LuminanceHistory, Reason};
@@ -135,7 +135,7 @@ impl<'a> Scene<'a> {
 impl Scene<'_> {
     fn accumulated(&self, p: IVec2) -> ([f32; 4], LuminanceHistory, SeenReflection, Option<f32>, bool) {
         let [r, g, b, own_distance] = self.inputs.noisy.at(p);
-        let roughness = roughness_of(self.frame, self.inputs.roughness.map_or(1.0, |image| image.at(p)[0]));
+        let roughness = roughness_of(self.frame, self.inputs.roughness.map_or(1.0, |image| image.at(p)[roughness_channel(self.frame)]));
         let surface = self.motion.surfaces.at(p);
         let noisy = [r, g, b, own_distance];
         let with = |(texel, luminance_history), seen, share| (texel, luminance_history, seen, share, false);

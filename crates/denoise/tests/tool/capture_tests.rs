@@ -3,8 +3,8 @@
 use ash::vk::Format;
 use atrous::capture::{InputFrame, InputImage, SequenceWriter};
 use atrous::config::{
-    AdaptiveRule, Conventions, DepthEncoding, EawWeights, GradientSource, MotionDepth, MotionDirection, MotionUnit, NormalEncoding,
-    NormalSpace, Preset, Sampling, Signals, ViewForward,
+    AdaptiveRule, Channel, Conventions, DepthEncoding, EawWeights, GradientSource, MotionDepth, MotionDirection, MotionUnit,
+    NormalEncoding, NormalSpace, Preset, Sampling, Signals, ViewForward,
 };
 use atrous::{Config, FrameParams, ResetReason, Tuning};
 use atrous_denoise::frame_files;
@@ -33,6 +33,9 @@ fn the_description_of_an_old_capture_is_read() {
         motion_jittered: true,
         motion_depth: MotionDepth::Absolute,
         view_forward: ViewForward::PositiveZ,
+        motion_scale: 0.02,
+        roughness_channel: Channel::B,
+        demodulated: true,
         ..Conventions::default()
     };
     let expected = Config {
@@ -133,6 +136,6 @@ fn every_convention_and_texel_arrives_as_it_was() {
         for name in ["normal", "noisy_radiance", "emission"] {
             assert_eq!(frame.images[name], [[0.1, 1e-30, f32::INFINITY, 0.0], [5.0, f32::MAX, -7.0, 0.0]], "{name}");
         }
-        assert_eq!(frame.images["roughness"], [[0.1, 0.0, 0.0, 0.0], [5.0, 0.0, 0.0, 0.0]]);
+        assert_eq!(frame.images["roughness"], [[0.1; 4], [5.0; 4]]);
     }
 }

@@ -70,8 +70,16 @@ fn every_unit_and_sign_of_motion_gives_pixels_of_the_previous_frame() {
             };
             let motion_direction =
                 if negated { MotionDirection::CurrentMinusPrevious } else { MotionDirection::PreviousMinusCurrent };
-            let conventions =
-                Conventions { motion_unit: unit, motion_direction, motion_y_up, motion_jittered, ..Conventions::default() };
+            let motion_scale = if choice < 4 { 1.0 } else { 50.0 };
+            let conventions = Conventions {
+                motion_unit: unit,
+                motion_direction,
+                motion_y_up,
+                motion_jittered,
+                motion_scale,
+                ..Conventions::default()
+            };
+            let v = v / motion_scale;
             let before = FrameParams { jitter: previous_jitter.to_array(), ..FrameParams::new([4, 12]) };
             let now = FrameParams { jitter: jitter.to_array(), ..FrameParams::new(EXTENT) };
             let scene = Scene { conventions, motion: Some([v.x, v.y, 0.0, 0.0]), ..Scene::new(before, now) };
