@@ -47,6 +47,7 @@ mod sequences;
 mod specular;
 mod stereo;
 mod support;
+mod surfaces;
 mod sync_validation;
 mod upscaling;
 mod visibility;
@@ -106,6 +107,7 @@ fn main() {
         Group { name: "sequences", tests: sequences::TESTS, needs_device: true },
         Group { name: "sync_validation", tests: sync_validation::TESTS, needs_device: true },
         Group { name: "stereo", tests: stereo::TESTS, needs_device: true },
+        Group { name: "surfaces", tests: surfaces::TESTS, needs_device: true },
         Group { name: "specular", tests: specular::TESTS, needs_device: true },
         Group { name: "upscaling", tests: upscaling::TESTS, needs_device: true },
         Group { name: "visibility", tests: visibility::TESTS, needs_device: true },

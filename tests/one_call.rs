@@ -18,6 +18,7 @@ use std::ffi::c_void;
 pub const TESTS: &[DeviceTest] = &[
     ("a_frame_in_one_call_gives_the_bits_of_the_executor", a_frame_in_one_call_gives_the_bits_of_the_executor),
     ("one_layer_and_mip_level_of_larger_images_gives_the_same_bits", one_layer_and_mip_level_of_larger_images_gives_the_same_bits),
+    ("inputs_that_are_layers_of_one_image_give_the_same_bits", inputs_that_are_layers_of_one_image_give_the_same_bits),
     ("images_that_stay_in_general_give_the_same_bits", images_that_stay_in_general_give_the_same_bits),
     ("a_depth_image_is_sampled_in_its_read_only_layout", a_depth_image_is_sampled_in_its_read_only_layout),
     ("an_output_is_handed_back_behind_the_last_phase", an_output_is_handed_back_behind_the_last_phase),
@@ -212,6 +213,21 @@ fn one_layer_and_mip_level_of_larger_images_gives_the_same_bits() {
         let options = ExecutorOptions { legacy_barriers, poison: !legacy_barriers, ..Default::default() };
         let rig = Rig::with_options(gpu(), &Config::new(synthetic::EXTENT), 1, options);
         let mut host = Host::at(rig, depth, Subresource { layer: 2, level: 1 });
+        assert_eq!(host.frames(), of_executor());
+    }
+    assert_valid();
+}
+
+/// A G-buffer in the layers of one image, as Blade has it: each is in the state of its own use.
+fn inputs_that_are_layers_of_one_image_give_the_same_bits() {
+    for (stay_in_general, layout) in [(false, vk::ImageLayout::TRANSFER_DST_OPTIMAL), (true, vk::ImageLayout::GENERAL)] {
+        let mut host = Host::on_gpu(ExecutorOptions { stay_in_general, ..Default::default() });
+        let usage = vk::ImageUsageFlags::SAMPLED | vk::ImageUsageFlags::TRANSFER_DST | vk::ImageUsageFlags::TRANSFER_SRC;
+        let count = synthetic::NAMES.len() as u32;
+        let layers = host.rig.layers(vk::Format::R32G32B32A32_SFLOAT, synthetic::EXTENT, usage, count);
+        for ((_, image), layer) in host.images.iter_mut().zip(layers) {
+            *image = HostImage { layout, ..layer };
+        }
         assert_eq!(host.frames(), of_executor());
     }
     assert_valid();

@@ -11,8 +11,10 @@ use atrous::{
 };
 use atrous_harness::DeviceTest;
 
-pub const TESTS: &[DeviceTest] =
-    &[("two_views_with_one_set_of_transients_have_the_bits_of_each_alone", two_views_have_the_bits_of_each_alone)];
+pub const TESTS: &[DeviceTest] = &[
+    ("two_views_with_one_set_of_transients_have_the_bits_of_each_alone", two_views_have_the_bits_of_each_alone),
+    ("images_of_another_format_with_views_of_the_declared_one_do", images_of_another_format_with_views_of_the_declared_one_do),
+];
 
 const EXTENT: [u32; 2] = [61, 35];
 /// An input that is left out: where a surface was is then told by the matrices of the frame before, which each view has for itself.
@@ -171,6 +173,15 @@ fn submit(record: impl FnOnce(vk::CommandBuffer)) {
 }
 
 fn two_views_have_the_bits_of_each_alone() {
+    two_views(None);
+}
+
+/// An allocator whose formats are few: 64 bits are enough, and the views say which.
+fn images_of_another_format_with_views_of_the_declared_one_do() {
+    two_views(Some(vk::Format::R32G32_UINT));
+}
+
+fn two_views(stands_for_rgba16_uint: Option<vk::Format>) {
     const FRAMES: u32 = 4;
     for preset in [Preset::Svgf, Preset::Best] {
         let config = Config { preset, ..Config::new(EXTENT) };
@@ -178,6 +189,7 @@ fn two_views_have_the_bits_of_each_alone() {
         // Two eyes that go different ways in light of their own.
         let scenes = [Scene { speed: 0.12, ..Scene::new(EXTENT) }, Scene { speed: -0.07, light: 1.5, ..Scene::new(EXTENT) }];
         let mut memory = Memory::new();
+        memory.stands_for_rgba16_uint = stands_for_rgba16_uint;
         let left = View::new(&declaration, &mut memory, None);
         let right = View::new(&declaration, &mut memory, Some(&left));
         let mut views = [left, right];

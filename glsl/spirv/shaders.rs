@@ -714,6 +714,25 @@ pub(crate) static PERCENTILE_RULE: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
     ]),
 };
+pub(crate) static REACTIVE_MASK: Shader = Shader {
+    stage: Cow::Borrowed("reactive_mask"), name: Cow::Borrowed("reactive_mask"), spirv: Cow::Borrowed(include_bytes!("reactive_mask.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("luminance_history_0"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("luminance_history_1"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 4, name: Cow::Borrowed("history_confidence"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 5, name: Cow::Borrowed("radiance"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("emission"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 7, name: Cow::Borrowed("reactive_mask"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+    ]),
+};
 pub(crate) static SAMPLE_ALBEDO: Shader = Shader {
     stage: Cow::Borrowed("sample_albedo"), name: Cow::Borrowed("sample_albedo"), spirv: Cow::Borrowed(include_bytes!("sample_albedo.spv")), workgroup: [8, 8, 1],
     bindings: Cow::Borrowed(&[
@@ -1140,4 +1159,4 @@ pub(crate) static VOLUME_POINTS: Shader = Shader {
     ]),
 };
 #[cfg(test)]
-pub(crate) static ALL: &[&Shader] = &[&ATROUS_SIGNALS_1, &ATROUS_SIGNALS_2, &ATROUS_SIGNALS_1_SPECULAR_1, &BLOCK_DIFFERENCE, &BLOCK_PERCENTILES, &CHANGE_TEST, &CLEAR_CLAIMS, &DEBUG_VIEW, &DEMODULATE_LUMINANCE_0, &DEMODULATE_LUMINANCE_1, &EAW_SIGNALS_1, &EAW_SIGNALS_2, &FILL_HOLES, &FILTER_EXPOSURE, &FIREFLY, &FIREFLY_LIMITS_RETURNING_0, &FIREFLY_LIMITS_RETURNING_1, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1, &GRADIENT, &GRADIENT_ATROUS_RATIO_0, &GRADIENT_ATROUS_RATIO_1, &HISTORY_CONFIDENCE_SOURCE_0, &HISTORY_CONFIDENCE_SOURCE_1, &IMPORT_SURFACE_ID_0, &IMPORT_SURFACE_ID_1, &MODULATE_FLOAT_0, &MODULATE_FLOAT_1, &PERCENTILE_RULE, &SAMPLE_ALBEDO, &SHADOWED_LIGHT_FLOAT_0, &SHADOWED_LIGHT_FLOAT_1, &SPECULAR_ACCUMULATION, &TEMPORAL_ACCUMULATION_SIGNALS_1, &TEMPORAL_ACCUMULATION_SIGNALS_2, &TEMPORAL_UPSCALE_FLOAT_0, &TEMPORAL_UPSCALE_FLOAT_1, &TONE_MAP, &VARIANCE_SIGNALS_1, &VARIANCE_SIGNALS_2, &VISIBILITY_ACCUMULATION, &VISIBILITY_FILTER_LAST_0, &VISIBILITY_FILTER_LAST_1, &VISIBILITY_SAMPLES, &VOLUME_MOTION_RESOLVE_0, &VOLUME_MOTION_RESOLVE_1, &VOLUME_POINTS, ];
+pub(crate) static ALL: &[&Shader] = &[&ATROUS_SIGNALS_1, &ATROUS_SIGNALS_2, &ATROUS_SIGNALS_1_SPECULAR_1, &BLOCK_DIFFERENCE, &BLOCK_PERCENTILES, &CHANGE_TEST, &CLEAR_CLAIMS, &DEBUG_VIEW, &DEMODULATE_LUMINANCE_0, &DEMODULATE_LUMINANCE_1, &EAW_SIGNALS_1, &EAW_SIGNALS_2, &FILL_HOLES, &FILTER_EXPOSURE, &FIREFLY, &FIREFLY_LIMITS_RETURNING_0, &FIREFLY_LIMITS_RETURNING_1, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1, &GRADIENT, &GRADIENT_ATROUS_RATIO_0, &GRADIENT_ATROUS_RATIO_1, &HISTORY_CONFIDENCE_SOURCE_0, &HISTORY_CONFIDENCE_SOURCE_1, &IMPORT_SURFACE_ID_0, &IMPORT_SURFACE_ID_1, &MODULATE_FLOAT_0, &MODULATE_FLOAT_1, &PERCENTILE_RULE, &REACTIVE_MASK, &SAMPLE_ALBEDO, &SHADOWED_LIGHT_FLOAT_0, &SHADOWED_LIGHT_FLOAT_1, &SPECULAR_ACCUMULATION, &TEMPORAL_ACCUMULATION_SIGNALS_1, &TEMPORAL_ACCUMULATION_SIGNALS_2, &TEMPORAL_UPSCALE_FLOAT_0, &TEMPORAL_UPSCALE_FLOAT_1, &TONE_MAP, &VARIANCE_SIGNALS_1, &VARIANCE_SIGNALS_2, &VISIBILITY_ACCUMULATION, &VISIBILITY_FILTER_LAST_0, &VISIBILITY_FILTER_LAST_1, &VISIBILITY_SAMPLES, &VOLUME_MOTION_RESOLVE_0, &VOLUME_MOTION_RESOLVE_1, &VOLUME_POINTS, ];

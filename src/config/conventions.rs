@@ -117,6 +117,7 @@ macro_rules! conventions {
         config { $($config:tt)+ }
         conventions { $($first:tt)+ }
         later_conventions { $($later:tt)+ }
+        later_config { $($later_config:tt)+ }
     ) => {
         conventions! { $($first)+ $($later)+ }
     };

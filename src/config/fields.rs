@@ -6,7 +6,8 @@ use crate::error::Error;
 /// the C ABI elsewhere. No part of the public interface.
 ///
 /// A row: documentation, attributes behind `@`, name, `filter` where it chooses one and `host` where it says something of the host,
-/// kind, type and default. `later_conventions` are conventions as well; they stand at the end, since the struct of C only grows.
+/// kind, type and default. The struct of C has the groups in their order, and only grows: a new field goes to the end of the last
+/// group, or to a group behind it.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! config_fields {
@@ -119,6 +120,12 @@ macro_rules! config_fields {
                 /// `noisy_volume`, and `other_denoised_radiance`. The filter then multiplies by the albedo, and does not divide.
                 /// Default: false.
                 demodulated: host flag bool = false;
+            }
+            later_config {
+                /// Whether you want the output `reactive_mask` for an upscaler of your own. Red is the share of a pixel that is
+                /// new: history was lost, is short, or light changed. Green is the share of its light that is emitted. Only for
+                /// presets with a history. Costs 8 bytes per pixel and one pass. Default: false.
+                reactive_mask: host flag bool = false;
             }
         }
     };

@@ -22,10 +22,14 @@ pub use fields::ConfigField;
 
 macro_rules! config {
     (
-        config { $($(#[doc = $doc:literal])+ $(@[$attribute:meta])* $name:ident: $of:ident $kind:ident $type:ty = $default:expr;)+ }
+        config { $($first:tt)+ }
         conventions { $($conventions:tt)+ }
         later_conventions { $($later_conventions:tt)+ }
+        later_config { $($later:tt)+ }
     ) => {
+        config! { $($first)+ $($later)+ }
+    };
+    ($($(#[doc = $doc:literal])+ $(@[$attribute:meta])* $name:ident: $of:ident $kind:ident $type:ty = $default:expr;)+) => {
         /// Choices that you make once for a preset. Numbers that may change from frame to frame are in
         /// [`crate::Tuning`].
         ///

@@ -56,6 +56,7 @@ stages! {
     import,
     modulate,
     percentile_rule,
+    reactive_mask,
     sample_albedo,
     shadowed_light,
     specular_accumulation,

@@ -83,6 +83,7 @@ impl Config {
         let mut surfaces = filter.map(|filter| filter(&mut g, &guides, self));
         if let Some(denoised) = &surfaces {
             outputs(&mut g, denoised);
+            self.reactive_mask_of(&mut g, &guides, denoised);
         }
         if let Some(accumulated) = accumulated {
             let visibility = visibility(&mut g, &guides, &accumulated);
@@ -107,6 +108,14 @@ impl Config {
             g.output("debug_view", &view);
         }
         Ok(g)
+    }
+
+    fn reactive_mask_of(&self, g: &mut Graph, guides: &Guides, denoised: &Denoised) {
+        let Intermediates { history, confidence, .. } = denoised.intermediates;
+        if let Some(history) = history.filter(|_| self.reactive_mask) {
+            let mask = g.reactive_mask(guides, &denoised.radiance, &history, confidence);
+            g.output("reactive_mask", &mask);
+        }
     }
 
     /// Whether the preset accumulates surfaces: object-space normals serve that alone.

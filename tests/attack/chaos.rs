@@ -49,6 +49,7 @@ pub fn config(dice: &mut Dice) -> Config {
         debug_view: dice.coin(),
         // Its frames render any part of the allocation.
         output_extent: None,
+        reactive_mask: dice.coin(),
         conventions,
     }
 }

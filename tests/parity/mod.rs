@@ -32,6 +32,8 @@ pub const TESTS: &[DeviceTest] = &[
     ("specular_by_f0", specular::by_f0),
     ("moving_reflections", specular::moving_reflections),
     ("specular_at_other_resolutions", specular::other_resolutions),
+    ("reactive_mask", || sequence(&Config { reactive_mask: true, ..Config::new([61, 35]) })),
+    ("reactive_mask_two_signals", || sequence(&Config { reactive_mask: true, signals: Signals::Apart, ..svgf([40, 23]) })),
     ("object_normals", || sequence(&Config { object_normal: true, ..svgf([40, 23]) })),
     ("without_ids", || sequence(&Config { surface_id: false, ..svgf([40, 23]) })),
     ("one_pixel", || sequence(&svgf([1, 1]))),

@@ -35,16 +35,23 @@ pub struct Memory {
     views: Vec<vk::ImageView>,
     buffers: Vec<vk::Buffer>,
     memory: Vec<vk::DeviceMemory>,
+    /// Format of images in whose place the allocator knows no RGBA16_UINT: their views have it.
+    pub stands_for_rgba16_uint: Option<vk::Format>,
 }
 
 impl Memory {
     pub fn new() -> Self {
-        Self { gpu: gpu(), images: Vec::new(), views: Vec::new(), buffers: Vec::new(), memory: Vec::new() }
+        let (images, views, buffers, memory) = Default::default();
+        Self { gpu: gpu(), images, views, buffers, memory, stands_for_rgba16_uint: None }
     }
 
     pub fn image(&mut self, format: vk::Format, extent: [u32; 2], usage: vk::ImageUsageFlags) -> Bare {
         let usage = usage | vk::ImageUsageFlags::TRANSFER_SRC | vk::ImageUsageFlags::TRANSFER_DST;
-        let info = plain_image(format, extent, usage).flags(vk::ImageCreateFlags::ALIAS);
+        let stand_in = self.stands_for_rgba16_uint.filter(|_| format == vk::Format::R16G16B16A16_UINT);
+        // The usage is that of the views.
+        let mutable = vk::ImageCreateFlags::MUTABLE_FORMAT | vk::ImageCreateFlags::EXTENDED_USAGE;
+        let flags = stand_in.map_or(vk::ImageCreateFlags::empty(), |_| mutable) | vk::ImageCreateFlags::ALIAS;
+        let info = plain_image(stand_in.unwrap_or(format), extent, usage).flags(flags);
         // SAFETY: the device is live.
         let (image, needs) = unsafe {
             let image = self.gpu.device().create_image(&info, None).expect("image");

@@ -181,6 +181,21 @@ impl Rig {
         HostImage { image, view, subresource, format, extent, layout, stage, access }
     }
 
+    /// The layers of one image.
+    pub fn layers(&mut self, format: vk::Format, extent: [u32; 2], usage: vk::ImageUsageFlags, count: u32) -> Vec<HostImage> {
+        let last = Subresource { layer: count - 1, level: 0 };
+        let image = self.image_at("layers", format, extent, vk::ImageAspectFlags::COLOR, usage, last);
+        let mut layer = |layer: u32| {
+            let info = vk::ImageViewCreateInfo::default().image(image.image).view_type(vk::ImageViewType::TYPE_2D).format(format);
+            let info = info.subresource_range(vk::ImageSubresourceRange { base_array_layer: layer, ..whole() });
+            // SAFETY: the device and the image are live; the view is destroyed with the rig.
+            let view = unsafe { self.gpu.device().create_image_view(&info, None) }.expect("view");
+            self.views.push(view);
+            HostImage { view, subresource: Subresource { layer, level: 0 }, ..image }
+        };
+        (0..count).map(&mut layer).collect()
+    }
+
     /// Records into the first command buffer, submits it, and waits.
     pub fn submit(&mut self, record: impl FnOnce(&mut Self, vk::CommandBuffer)) {
         let gpu = self.gpu.clone();

@@ -210,8 +210,7 @@ impl Projection<'_> {
                     MotionUnit::Pixels => 1.0,
                     MotionUnit::Uv => extent,
                     MotionUnit::Ndc => extent * 0.5,
-                }
-                * frame.motion_scale);
+                } * frame.motion_scale);
             let motion = if i == 1 && motion_points_up(frame) { -motion } else { motion };
             let start = pixel.as_vec2()[i] + 0.5 + frame.previous_jitter[i];
             start * extent + (motion - frame.jitter[i]) * previous

@@ -1,0 +1,33 @@
+//! Tells an upscaler where its own history of the denoised picture is worth little.
+//!
+#![doc = include_str!("specification.md")]
+
+pub(crate) mod twin;
+
+use super::pass;
+use crate::contract::{Input, Lifetime};
+use crate::graph::{Confidence, Graph, Guides, History, Port, Radiance, HDR};
+use crate::shaders;
+
+impl Graph {
+    /// Shares of new and of emitted light in each pixel of `denoised`, by the history that the accumulation left.
+    pub(crate) fn reactive_mask(
+        &mut self,
+        guides: &Guides,
+        denoised: &Radiance,
+        history: &History,
+        confidence: Option<Confidence>,
+    ) -> Radiance {
+        let node = self.node("reactive_mask", "");
+        let mask = self.named_image("reactive", "", HDR, 1, Lifetime::Transient);
+        let pass = pass(&node, &shaders::REACTIVE_MASK)
+            .bind("guide", guides.guide)
+            .each("luminance_history", &self.current_luminance_history(history))
+            .bind_some("history_confidence", confidence.map(|confidence| confidence.image()))
+            .bind("radiance", denoised.image())
+            .bind("emission", self.input(Input::EMISSION))
+            .bind("reactive_mask", mask);
+        self.add(pass);
+        Port::of(self.refreshed(mask))
+    }
+}

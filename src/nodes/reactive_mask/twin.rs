@@ -1,0 +1,91 @@
+//! The stage `reactive_mask`: shares of new and of emitted light.
+
+use crate::reference::bindings::Bindings;
+use crate::reference::compare::Rule;
+use crate::reference::guide::unpack_guide;
+use crate::reference::luminance::texel_luminance;
+use crate::reference::luminance_history::unpack_luminance_history;
+use crate::reference::rules::{pixels, HALF};
+use crate::reference::Image;
+use crate::{Error, FrameConstants};
+
+/// Inputs of [`reactive_mask`]; images have the allocated extent.
+#[derive(Clone, Copy)]
+pub(crate) struct ReactiveInputs<'a> {
+    /// The image `guide`, from the stage `import`.
+    pub guide: &'a Image<[u16; 4]>,
+    /// `luminance_history*` of every signal.
+    pub histories: &'a [&'a Image<[u16; 4]>],
+    /// Confidence in the history.
+    pub confidence: Option<&'a Image<f32>>,
+    /// rgb: denoised radiance, emission included.
+    pub radiance: &'a Image<[f32; 4]>,
+    /// rgb: what the host emits.
+    pub emission: Option<&'a Image<[f32; 4]>>,
+}
+
+/// Red: share of what is new, green: share of what is emitted, each 0 to 1.
+pub(crate) fn reactive_mask(frame: &FrameConstants, inputs: &ReactiveInputs) -> Image<[f32; 4]> {
+    Image::compute(inputs.guide.extent(), frame.render_extent, |p| {
+        let lengths = inputs.histories.iter().map(|history| unpack_luminance_history(history.at(p)).history_length);
+        let shortest = lengths.fold(f32::INFINITY, f32::min).max(1.0);
+        let changed = inputs.confidence.map_or(0.0, |confidence| 1.0 - confidence.at(p));
+        let is_surface = !unpack_guide(inputs.guide.at(p)).is_background();
+        let new = if is_surface { (1.0 / shortest).max(changed).clamp(0.0, 1.0) } else { 0.0 };
+        let emission = inputs.emission.map_or([0.0; 4], |emission| emission.at(p));
+        let emitted = if emission[..3].iter().all(|c| c.is_finite()) { texel_luminance(emission) } else { 0.0 };
+        let share = if emitted > 0.0 { emitted / texel_luminance(inputs.radiance.at(p)).max(emitted) } else { 0.0 };
+        [new, share, 0.0, 1.0]
+    })
+}
+
+/// How what it writes is compared with the GPU.
+pub(crate) const RULES: &[Rule] = &[pixels("reactive_mask", HALF)];
+
+/// Runs the stage on the bindings of a pass.
+pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let inputs = ReactiveInputs {
+        guide: b.packed("guide")?,
+        histories: &b.packed_signals("luminance_history")?,
+        confidence: b.optional_scalar("history_confidence")?,
+        radiance: b.colour("radiance")?,
+        emission: b.optional_colour("emission")?,
+    };
+    let mask = reactive_mask(b.frame, &inputs);
+    b.write("reactive_mask", mask)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::reference::luminance_history::{pack_luminance_history, LuminanceHistory};
+    use crate::reference::test_scene::*;
+
+    const EXTENT: [u32; 2] = [3, 1];
+
+    fn history(lengths: [f32; 3]) -> Image<[u16; 4]> {
+        let of = |x: i32| LuminanceHistory { history_length: lengths[x as usize], ..LuminanceHistory::default() };
+        paint(EXTENT, |x, _| pack_luminance_history(&of(x)))
+    }
+
+    #[test]
+    fn what_is_new_and_what_is_emitted_is_marked() {
+        let guides = guides(EXTENT, |x, _| surface(if x == 2 { 0.0 } else { 4.0 }));
+        let (long, short) = (history([64.0, 8.0, 1.0]), history([64.0, 1.0, 1.0]));
+        let confidence = paint(EXTENT, |x, _| if x == 0 { 0.25 } else { 1.0 });
+        let emission = paint(EXTENT, |x, _| [[0.0; 4], [1.0; 4], [f32::INFINITY; 4]][x as usize]);
+        let radiance = Image::new(EXTENT, [4.0, 4.0, 4.0, 1.0]);
+        let inputs = ReactiveInputs {
+            guide: &guides.guide,
+            histories: &[&long],
+            confidence: None,
+            radiance: &radiance,
+            emission: Some(&emission),
+        };
+        let mask = |inputs| reactive_mask(&frame(EXTENT), &inputs).texels().iter().map(|t| [t[0], t[1]]).collect::<Vec<_>>();
+        assert_eq!(mask(inputs), [[1.0 / 64.0, 0.0], [0.125, 0.25], [0.0, 0.0]]);
+        assert_eq!(mask(ReactiveInputs { confidence: Some(&confidence), ..inputs })[0], [0.75, 0.0]);
+        let both = ReactiveInputs { histories: &[&long, &short], emission: None, ..inputs };
+        assert_eq!(mask(both)[1], [1.0, 0.0]);
+    }
+}
