@@ -111,6 +111,7 @@ fn configurations() -> Vec<Config> {
                     post_process: PostProcess::ToneMapTaa,
                     object_normal: true,
                     debug_view: true,
+                    reactive_mask: true,
                     volume: true,
                     visibility: true,
                     forward_motion: true,

@@ -43,6 +43,7 @@ fn add_declarations(all: &mut Vec<Declaration>, declare: fn(&Config) -> Declarat
             }
             all.push(declare(&Config { firefly_filter: true, ..config }));
             all.push(declare(&Config { visibility: true, ..config }));
+            all.push(declare(&Config { reactive_mask: true, ..config }));
             all.push(declare(&Config { visibility: true, volume: true, float_output: true, ..config }));
             for preset in [Preset::Svgf, Preset::Asvgf, Preset::Percentile, Preset::Fast, Preset::Best, Preset::Eaw] {
                 all.extend(Sampling::ALL.map(|sampling| declare(&Config { preset, sampling, ..config })));

@@ -610,6 +610,10 @@ typedef struct AtrousConfig {
   // `noisy_volume`, and `other_denoised_radiance`. The filter then multiplies by the albedo, and does not divide. 0
   // (false), 1 (true). Default: 0.
   uint32_t demodulated;
+  // Whether you want the output `reactive_mask` for an upscaler of your own. Red is the share of a pixel that is new:
+  // history was lost, is short, or light changed. Green is the share of its light that is emitted. Only for presets with
+  // a history. Costs 8 bytes per pixel and one pass. 0 (false), 1 (true). Default: 0.
+  uint32_t reactive_mask;
 } AtrousConfig;
 
 // The device of the passes. Handles stay yours.
