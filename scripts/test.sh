@@ -2,13 +2,16 @@
 # Passes the tests: formatting, lints, docs, and every test under the Vulkan validation layer. Installs what is missing.
 # --bevy: those of examples/host_bevy alone, a workspace of its own: Bevy takes as long to build as all else, and asks for a newer
 # compiler, which is installed beside the one that is there.
+# --blade: those of examples/host_blade alone, on a copy of blade-graphics that shows its Vulkan handles.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bevy=false
+blade=false
 for option in "$@"; do
     case $option in
         --bevy) bevy=true ;;
-        *) echo "test.sh: unknown option $option: only --bevy is known" >&2; exit 1 ;;
+        --blade) blade=true ;;
+        *) echo "test.sh: unknown option $option: --bevy and --blade are known" >&2; exit 1 ;;
     esac
 done
 scripts/setup.sh --test
@@ -44,6 +47,34 @@ if $bevy; then
     step cargo "+$version" test "${host[@]}" --quiet
     echo
     echo "test.sh --bevy: all passed, $SECONDS s"
+    exit
+fi
+
+# Copies blade-graphics out of cargo's registry, and adds what shows its handles.
+show_handles_of_blade() {
+    local version added=examples/host_blade/handles.rs copy=target/blade/blade-graphics from=target/blade/from
+    version=$(sed -n 's/^blade-graphics = "=\(.*\)"$/\1/p' examples/host_blade/Cargo.toml)
+    [ "$copy/Cargo.toml" -nt "$added" ] && return
+    rm -rf "$copy" "$from"
+    mkdir -p "$from/src"
+    touch "$from/src/lib.rs"
+    printf '[workspace]\n[package]\nname = "from"\n[dependencies]\nblade-graphics = "=%s"\n' "$version" > "$from/Cargo.toml"
+    local manifest
+    manifest=$(cargo metadata --format-version 1 --manifest-path "$from/Cargo.toml" |
+        grep -o "\"[^\"]*/blade-graphics-$version/Cargo.toml\"" | head -n 1 | tr -d '"')
+    cp -r "$(dirname "$manifest")" "$copy"
+    chmod -R u+w "$copy"
+    cat "$added" >> "$copy/src/vulkan/mod.rs"
+}
+
+if $blade; then
+    show_handles_of_blade
+    host=(--manifest-path examples/host_blade/Cargo.toml --target-dir target/blade)
+    step cargo fmt "${host[@]:0:2}" --check
+    step cargo clippy "${host[@]}" --all-targets --quiet -- -D warnings
+    step cargo test "${host[@]}" --quiet
+    echo
+    echo "test.sh --blade: all passed, $SECONDS s"
     exit
 fi
 

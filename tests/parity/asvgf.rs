@@ -115,7 +115,7 @@ pub(super) fn sparse_and_confidence_sequence(config: &Config) {
         let texels: Vec<_> = (0..14 * 8).map(|k| [random(k, i, 0) - 0.5, random(k, i, 1), 0.0, 0.0]).collect();
         s.upload("sparse_gradient", &texels).expect("sparse_gradient");
     });
-    let confidence = Config { gradient_source: GradientSource::Confidence, ..*config };
+    let confidence = Config { gradient_source: GradientSource::Confidence, reactive_mask: true, ..*config };
     sequence(&confidence, [40, 23], |s, i, _| {
         let texels: Vec<_> = (0..40 * 23).map(|k| [if k % 5 == 0 { f32::NAN } else { 1.5 * random(k, i, 0) - 0.2 }; 4]).collect();
         s.upload("confidence", &texels).expect("confidence");
