@@ -3,8 +3,8 @@
 use ash::vk::Format;
 use atrous::capture::{InputFrame, InputImage, SequenceWriter};
 use atrous::config::{
-    AdaptiveRule, Channel, Conventions, DepthEncoding, EawWeights, GradientSource, MotionDepth, MotionDirection, MotionUnit,
-    NormalEncoding, NormalSpace, Preset, Sampling, Signals, ViewForward,
+    AdaptiveRule, Conventions, DepthEncoding, EawWeights, GradientSource, MotionDepth, MotionDirection, MotionUnit, NormalEncoding,
+    NormalSpace, Preset, Sampling, Signals, ViewForward,
 };
 use atrous::{Config, FrameParams, ResetReason, Tuning};
 use atrous_denoise::frame_files;
@@ -33,9 +33,6 @@ fn the_description_of_an_old_capture_is_read() {
         motion_jittered: true,
         motion_depth: MotionDepth::Absolute,
         view_forward: ViewForward::PositiveZ,
-        motion_scale: 0.02,
-        roughness_channel: Channel::B,
-        demodulated: true,
         ..Conventions::default()
     };
     let expected = Config {
