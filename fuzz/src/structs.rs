@@ -109,6 +109,8 @@ fn create(choices: &mut Choices<'_>) -> AtrousStatus {
         graph: std::ptr::null(),
         checks: choices.odd(),
         check_guides: choices.odd(),
+        stay_in_general: choices.odd(),
+        reserved: choices.odd(),
     };
     let mut outer = Given::new(info, choices);
     let mut denoiser = null_mut();

@@ -82,6 +82,9 @@ fn conventions(choices: &mut Choices<'_>) -> Conventions {
         motion_depth: choice(choices),
         view_forward: choice(choices),
         roughness: choice(choices),
+        motion_scale: if choices.one_in(2) { 1.0 } else { 50.0 },
+        roughness_channel: choice(choices),
+        demodulated: choices.one_in(2),
     }
 }
 
@@ -107,6 +110,7 @@ fn configured(choices: &mut Choices<'_>) -> Result<Declaration, Error> {
         float_output: choices.one_in(4),
         debug_view: choices.one_in(2),
         output_extent: choices.one_in(2).then(|| extent(choices)),
+        reactive_mask: choices.one_in(2),
         conventions: conventions(choices),
     };
     let declaration = config.declare()?;
