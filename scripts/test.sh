@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Passes the tests: formatting, lints, docs, and every test under the Vulkan validation layer. Installs what is missing.
-# --bevy: those of examples/host_bevy alone, a workspace of its own: Bevy takes as long to build as all else, and asks for a newer
-# compiler, which is installed beside the one that is there.
+# --bevy: those of crates/bevy and examples/host_bevy alone, a workspace of its own: Bevy takes as long to build as all else, and
+# asks for a newer compiler, which is installed beside the one that is there.
 # --blade: those of examples/host_blade alone, on a copy of blade-graphics that shows its Vulkan handles.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -42,9 +42,9 @@ if $bevy; then
     host=(--manifest-path examples/host_bevy/Cargo.toml --target-dir target/bevy)
     version=$(sed -n 's/^rust-version = "\(.*\)"$/\1/p' examples/host_bevy/Cargo.toml)
     cargo "+$version" clippy --version >/dev/null 2>&1 || rustup toolchain install "$version" --profile minimal --component clippy
-    step cargo fmt "${host[@]:0:2}" --check
-    step cargo "+$version" clippy "${host[@]}" --all-targets --quiet -- -D warnings
-    step cargo "+$version" test "${host[@]}" --quiet
+    step cargo fmt "${host[@]:0:2}" --all --check
+    step cargo "+$version" clippy "${host[@]}" --workspace --all-targets --features bevy_atrous/solari --quiet -- -D warnings
+    step cargo "+$version" test "${host[@]}" --workspace --quiet
     echo
     echo "test.sh --bevy: all passed, $SECONDS s"
     exit

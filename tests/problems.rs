@@ -13,7 +13,7 @@ pub const TESTS: &[DeviceTest] = &[
 ];
 
 const PROBLEMS: &str = include_str!("../docs/problems.md");
-const BEVY: &str = include_str!("../examples/host_bevy/Cargo.toml");
+const BEVY: &str = include_str!("../crates/bevy/Cargo.toml");
 
 /// Headings of the problems with what stands below them.
 fn problems() -> Vec<(&'static str, &'static str)> {

@@ -1,9 +1,8 @@
 //! A Bevy program without a window whose path tracer is denoised: guides of Bevy's prepass, noise of a compute shader.
 //!
 //! It checks that the guides are encoded as declared, and that the check would see mistakes; it prints the error of noisy and denoised
-//! pictures against many paths a pixel, and writes them beside each other: `cargo run -- FOLDER`.
+//! pictures against many paths a pixel, and writes them beside each other: `cargo run -- [--like-solari] FOLDER`.
 
-mod denoise;
 mod path_tracer;
 mod readback;
 mod scene;
@@ -13,14 +12,16 @@ use atrous::reference::Image;
 use atrous_conventions::{check, OwnedGuides};
 use atrous_lab::pictures::{Picture, Strip};
 use bevy::log::LogPlugin;
+use bevy::pbr::DefaultOpaqueRendererMethod;
 use bevy::prelude::*;
 use bevy::render::render_asset::RenderAssets;
 use bevy::render::settings::{Backends, InstanceFlags, RenderCreation, WgpuSettings};
 use bevy::render::texture::GpuImage;
 use bevy::render::{RenderApp, RenderPlugin};
 use bevy::window::ExitCondition;
-use denoise::ViewDenoiser;
-use scene::{Scene, Target, EXTENT};
+use bevy_atrous::{DenoisePlugin, ViewDenoiser};
+use path_tracer::Traced;
+use scene::{LikeSolari, Scene, Target, EXTENT};
 use std::path::PathBuf;
 
 type Result<T> = std::result::Result<T, BevyError>;
@@ -29,7 +30,7 @@ const FRAMES: u32 = 24;
 /// Paths a pixel of the reference.
 const REFERENCE: u32 = 1024;
 
-fn app() -> App {
+fn app(like_solari: bool) -> App {
     let settings = WgpuSettings {
         backends: Some(Backends::VULKAN),
         // Validation is switched on from outside, or not at all.
@@ -43,8 +44,12 @@ fn app() -> App {
     };
     let window = WindowPlugin { primary_window: None, exit_condition: ExitCondition::DontExit, ..default() };
     let mut app = App::new();
+    app.insert_resource(LikeSolari(like_solari));
+    if like_solari {
+        app.insert_resource(DefaultOpaqueRendererMethod::deferred());
+    }
     app.add_plugins(DefaultPlugins.set(render).set(window).disable::<LogPlugin>());
-    app.add_plugins((scene::ScenePlugin, denoise::DenoisePlugin, path_tracer::PathTracerPlugin));
+    app.add_plugins((scene::ScenePlugin, DenoisePlugin, path_tracer::PathTracerPlugin));
     app.finish();
     app.cleanup();
     app
@@ -65,7 +70,7 @@ fn denoiser(app: &mut App) -> Result<(&World, &ViewDenoiser)> {
 
 fn guides(app: &mut App) -> Result<OwnedGuides> {
     let (world, denoiser) = denoiser(app)?;
-    let bytes = readback::buffer(world, &world.resource::<path_tracer::Guides>().0)?;
+    let bytes = readback::buffer(world, &world.resource::<Traced>().guides)?;
     let float = |bytes: &[u8]| f32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]);
     let texels: Vec<[f32; 4]> =
         bytes.chunks_exact(16).map(|t| [float(t), float(&t[4..]), float(&t[8..]), float(&t[12..])]).collect();
@@ -84,6 +89,12 @@ fn rmse(image: &[[f32; 3]], reference: &[[f32; 3]]) -> f64 {
     (squares.sum::<f64>() / (3 * reference.len()) as f64).sqrt()
 }
 
+/// The share of pixels whose colours differ by a quantum of a G-buffer at most.
+fn share_alike(a: &[[f32; 3]], b: &[[f32; 3]]) -> f64 {
+    let alike = |(a, b): (&[f32; 3], &[f32; 3])| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 0.012);
+    a.iter().zip(b).filter(|pair| alike(*pair)).count() as f64 / a.len() as f64
+}
+
 /// The largest difference between what Bevy shows and a picture without tone mapping.
 fn difference(shown: &[[u8; 3]], radiance: &[[f32; 3]]) -> u8 {
     let encode = |linear: f32| {
@@ -97,7 +108,7 @@ fn difference(shown: &[[u8; 3]], radiance: &[[f32; 3]]) -> u8 {
 
 /// Holds Bevy's prepass against what the plugin declares, and what it might have declared by mistake.
 fn check_conventions(previous: &OwnedGuides, current: &OwnedGuides) -> Result<()> {
-    let declared = denoise::conventions();
+    let declared = bevy_atrous::conventions();
     let report = check(&declared, &previous.borrow(), &current.borrow())?;
     println!("{report}");
     if report.complains() {
@@ -135,8 +146,10 @@ fn picture(radiance: &[[f32; 3]]) -> Result<Picture> {
 }
 
 fn main() -> Result<()> {
-    let folder = std::env::args_os().nth(1).map(PathBuf::from);
-    let mut app = app();
+    let mut arguments = std::env::args_os().skip(1).peekable();
+    let like_solari = arguments.next_if(|argument| argument == "--like-solari").is_some();
+    let folder = arguments.next().map(PathBuf::from);
+    let mut app = app(like_solari);
     let mut known = Vec::new();
     for index in 0..FRAMES {
         draw(&mut app, Scene { index, time: index, ..default() });
@@ -146,6 +159,9 @@ fn main() -> Result<()> {
     }
     let (world, view) = denoiser(&mut app)?;
     let noisy = readback::radiance(world, &view.noisy)?;
+    let albedo = readback::radiance(world, &view.albedo)?;
+    let traced = readback::radiance(world, &world.resource::<Traced>().albedo)?;
+    println!("albedo of the denoiser: {:.4} of the pixels as traced", share_alike(&albedo, &traced));
     let denoised = readback::radiance(world, view.denoised().ok_or("no output")?)?;
     let target = app.world().resource::<Target>().0.clone();
     let world = app.sub_app(RenderApp).world();

@@ -1,15 +1,15 @@
 //! A path tracer of the host: it takes its primary surfaces from Bevy's prepass.
 
-use crate::denoise::{DenoiseSystems, ViewDenoiser};
-use crate::scene::{Scene, LIGHT, SPHERES};
+use crate::scene::{LikeSolari, Scene, LIGHT, SPHERES};
 use bevy::core_pipeline::prepass::ViewPrepassTextures;
 use bevy::core_pipeline::Core3d;
 use bevy::math::Vec4Swizzles;
 use bevy::prelude::*;
 use bevy::render::camera::TemporalJitter;
 use bevy::render::renderer::{RenderContext, RenderDevice, ViewQuery};
-use bevy::render::view::ExtractedView;
+use bevy::render::view::{ExtractedView, ViewTarget};
 use bevy::render::{Extract, ExtractSchedule, RenderApp};
+use bevy_atrous::{DenoiseSystems, ViewDenoiser};
 use wgpu::util::DeviceExt;
 
 /// Writes the noisy radiance of each camera that is denoised.
@@ -17,9 +17,11 @@ pub struct PathTracerPlugin;
 
 impl Plugin for PathTracerPlugin {
     fn build(&self, app: &mut App) {
+        let like_solari = *app.world().resource::<LikeSolari>();
         let Some(render_app) = app.get_sub_app_mut(RenderApp) else { return };
         render_app
             .insert_resource(Scene::default())
+            .insert_resource(like_solari)
             .add_systems(ExtractSchedule, |scene: Extract<Res<Scene>>, mut rendered: ResMut<Scene>| *rendered = scene.clone())
             .add_systems(Core3d, trace.in_set(DenoiseSystems::PathTrace));
     }
@@ -34,9 +36,27 @@ impl Plugin for PathTracerPlugin {
 #[derive(Resource)]
 struct PathTracer(wgpu::ComputePipeline);
 
-/// Depth, normal and motion of each pixel, as the shader read them in the prepass.
+/// What the path tracer wrote.
 #[derive(Resource)]
-pub struct Guides(pub wgpu::Buffer);
+pub struct Traced {
+    /// Depth, normal and motion of each pixel, as the shader read them in the prepass.
+    pub guides: wgpu::Buffer,
+    /// Albedo.
+    pub albedo: wgpu::Texture,
+}
+
+fn texture(device: &wgpu::Device, label: &str, size: wgpu::Extent3d) -> wgpu::Texture {
+    device.create_texture(&wgpu::TextureDescriptor {
+        label: Some(label),
+        size,
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format: wgpu::TextureFormat::Rgba16Float,
+        usage: wgpu::TextureUsages::STORAGE_BINDING | wgpu::TextureUsages::COPY_SRC,
+        view_formats: &[],
+    })
+}
 
 impl PathTracer {
     fn new(device: &wgpu::Device) -> Self {
@@ -75,13 +95,14 @@ fn constants(view: &ExtractedView, jitter: Option<&TemporalJitter>, scene: &Scen
 }
 
 fn trace(
-    view: ViewQuery<(&ExtractedView, Option<&TemporalJitter>, &ViewPrepassTextures, &ViewDenoiser)>,
+    view: ViewQuery<(&ExtractedView, Option<&TemporalJitter>, &ViewPrepassTextures, &ViewDenoiser, &ViewTarget)>,
+    like_solari: Res<LikeSolari>,
     scene: Res<Scene>,
     tracer: Res<PathTracer>,
     mut commands: Commands,
     mut context: RenderContext,
 ) -> Result<(), BevyError> {
-    let (view, jitter, prepass, denoiser) = view.into_inner();
+    let (view, jitter, prepass, denoiser, target) = view.into_inner();
     let (Some(depth), Some(normal), Some(motion)) =
         (prepass.depth_only_view(), prepass.normal_view(), prepass.motion_vectors_view())
     else {
@@ -98,7 +119,10 @@ fn trace(
         usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC,
         mapped_at_creation: false,
     });
-    let (noisy, albedo) = (denoiser.noisy.create_view(&default()), denoiser.albedo.create_view(&default()));
+    // As Solari, which knows of no denoiser: the light goes into the main texture, and the albedo nowhere.
+    let own = like_solari.0.then(|| ["light", "albedo"].map(|label| texture(&device, label, size)));
+    let [light, traced_albedo] = own.as_ref().map_or([&denoiser.noisy, &denoiser.albedo], |[light, albedo]| [light, albedo]);
+    let (noisy, albedo) = (light.create_view(&default()), traced_albedo.create_view(&default()));
     let resources = [
         constants.as_entire_binding(),
         wgpu::BindingResource::TextureView(depth),
@@ -117,6 +141,9 @@ fn trace(
     pass.set_bind_group(0, &group, &[]);
     pass.dispatch_workgroups(size.width.div_ceil(8), size.height.div_ceil(8), 1);
     drop(pass);
-    commands.insert_resource(Guides(guides));
+    if like_solari.0 {
+        context.command_encoder().copy_texture_to_texture(light.as_image_copy(), target.main_texture().as_image_copy(), size);
+    }
+    commands.insert_resource(Traced { guides, albedo: traced_albedo.clone() });
     Ok(())
 }

@@ -20,7 +20,7 @@ const PI = 3.14159265;
 @group(0) @binding(2) var normals: texture_2d<f32>;
 @group(0) @binding(3) var motions: texture_2d<f32>;
 @group(0) @binding(4) var noisy: texture_storage_2d<rgba16float, write>;
-@group(0) @binding(5) var albedos: texture_storage_2d<rgba8unorm, write>;
+@group(0) @binding(5) var albedos: texture_storage_2d<rgba16float, write>;
 // What the prepass holds, for the check of the conventions: depth; normal; motion.
 @group(0) @binding(6) var<storage, read_write> guides: array<vec4f>;
 

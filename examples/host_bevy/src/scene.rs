@@ -1,18 +1,24 @@
 //! Spheres on a floor, one of which moves, seen by a camera that moves and turns: as meshes for Bevy, as numbers for the path tracer.
 
-use crate::denoise::{main_texture_usages, Denoise};
-use bevy::camera::{Hdr, RenderTarget};
-use bevy::core_pipeline::prepass::{DepthPrepass, MotionVectorPrepass, NormalPrepass};
+use bevy::asset::RenderAssetUsages;
+use bevy::camera::RenderTarget;
+use bevy::core_pipeline::prepass::{DeferredPrepass, NormalPrepass};
 use bevy::core_pipeline::tonemapping::{DebandDither, Tonemapping};
+use bevy::image::{ImageAddressMode, ImageSampler, ImageSamplerDescriptor};
+use bevy::math::Affine2;
 use bevy::prelude::*;
 use bevy::render::camera::TemporalJitter;
-use bevy::render::render_resource::{TextureFormat, TextureUsages};
+use bevy::render::render_resource::{Extent3d, TextureDimension, TextureFormat, TextureUsages};
+use bevy_atrous::{Denoise, Source};
 
 /// Pixels.
 pub const EXTENT: [u32; 2] = [320, 180];
 
 /// Centre and radius of the light.
 pub const LIGHT: [f32; 4] = [3.0, 6.0, 2.0, 0.9];
+
+/// Half the side of the floor.
+const FLOOR: f32 = 60.0;
 
 /// A sphere that lies on the floor.
 pub struct Sphere {
@@ -68,6 +74,10 @@ impl Scene {
     }
 }
 
+/// How the camera hands over: guides alone, or as Solari does, the deferred G-buffer and light in the main texture.
+#[derive(Resource, Clone, Copy, PartialEq)]
+pub struct LikeSolari(pub bool);
+
 /// The picture of the camera. Without tone mapping and dithering it is the denoised texture itself, so that it can be compared.
 #[derive(Resource)]
 pub struct Target(pub Handle<Image>);
@@ -90,13 +100,20 @@ fn spawn(
     mut meshes: ResMut<Assets<Mesh>>,
     mut materials: ResMut<Assets<StandardMaterial>>,
     scene: Res<Scene>,
+    like_solari: Res<LikeSolari>,
 ) {
-    let material = MeshMaterial3d(materials.add(StandardMaterial::default()));
-    let floor = Plane3d::new(Vec3::Y, Vec2::splat(60.0));
-    commands.spawn((Mesh3d(meshes.add(floor)), material.clone(), Transform::default()));
+    // Without reflectance the albedo of both lobes is the base colour.
+    let mut matte = |material| MeshMaterial3d(materials.add(StandardMaterial { reflectance: 0.0, ..material }));
+    let floor = Plane3d::new(Vec3::Y, Vec2::splat(FLOOR));
+    // A square of the floor has one unit, the texture has two.
+    let uv_transform = Affine2::from_scale(Vec2::splat(FLOOR));
+    let checks = matte(StandardMaterial { base_color_texture: Some(images.add(checks())), uv_transform, ..default() });
+    commands.spawn((Mesh3d(meshes.add(floor)), checks, Transform::default()));
     for (index, sphere) in SPHERES.iter().enumerate() {
         let mesh = bevy::shape::Sphere::new(sphere.radius).mesh().uv(96, 64);
-        commands.spawn((Mesh3d(meshes.add(mesh)), material.clone(), Transform::default(), Place(index)));
+        let [red, green, blue] = sphere.albedo;
+        let material = matte(Color::linear_rgb(red, green, blue).into());
+        commands.spawn((Mesh3d(meshes.add(mesh)), material, Transform::default(), Place(index)));
     }
     let [width, height] = EXTENT;
     let mut target = Image::new_target_texture(width, height, TextureFormat::Rgba8UnormSrgb, None);
@@ -104,8 +121,27 @@ fn spawn(
     let target = images.add(target);
     commands.insert_resource(Target(target.clone()));
     let camera = (Camera3d::default(), RenderTarget::from(target), scene.camera(), Tonemapping::None, DebandDither::Disabled);
-    let denoised = (Denoise::default(), DepthPrepass, NormalPrepass, MotionVectorPrepass, Hdr, Msaa::Off, main_texture_usages());
-    commands.spawn((camera, denoised, TemporalJitter::default()));
+    let source = if like_solari.0 { Source::MainTexture } else { Source::PathTracer };
+    let denoised = (Denoise { source, ..default() }, NormalPrepass);
+    let mut camera = commands.spawn((camera, denoised, TemporalJitter::default()));
+    if like_solari.0 {
+        camera.insert(DeferredPrepass);
+    }
+}
+
+/// Squares of 0.75 and 0.25, as the path tracer has them.
+fn checks() -> Image {
+    let [bright, dark] = [[225, 225, 225, 255], [137, 137, 137, 255]];
+    let size = Extent3d { width: 2, height: 2, depth_or_array_layers: 1 };
+    let texels = [bright, dark, dark, bright].concat();
+    let mut image = Image::new(size, TextureDimension::D2, texels, TextureFormat::Rgba8UnormSrgb, RenderAssetUsages::default());
+    let repeat = ImageAddressMode::Repeat;
+    image.sampler = ImageSampler::Descriptor(ImageSamplerDescriptor {
+        address_mode_u: repeat,
+        address_mode_v: repeat,
+        ..ImageSamplerDescriptor::nearest()
+    });
+    image
 }
 
 type IsCamera = (With<Camera3d>, Without<Place>);

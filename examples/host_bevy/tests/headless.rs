@@ -2,10 +2,11 @@
 
 use std::process::Command;
 
-fn output() -> String {
+fn output(arguments: &[&str]) -> String {
     let enables = "VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT:VALIDATION_CHECK_ENABLE_SYNCHRONIZATION_VALIDATION_QUEUE_SUBMIT";
     let mut command = Command::new(env!("CARGO_BIN_EXE_host_bevy"));
     command
+        .args(arguments)
         .env("VK_INSTANCE_LAYERS", "VK_LAYER_KHRONOS_validation")
         .env("VK_LAYER_ENABLES", enables)
         .env("VK_LAYER_SYNCVAL_SHADER_ACCESSES_HEURISTIC", "1");
@@ -30,10 +31,8 @@ const MISTAKES: [&str; 5] = [
     "the jitter has the opposite sign",
 ];
 
-/// One run for all, since it takes a while on software Vulkan.
-#[test]
-fn bevy_shows_what_is_denoised_by_the_guides_of_its_prepass() {
-    let text = output();
+fn shows_what_is_denoised(arguments: &[&str]) {
+    let text = output(arguments);
     assert!(!text.contains("Validation"), "{text}");
     for guide in ["depth and matrices", "motion", "normals"] {
         // Without and with jitter.
@@ -43,5 +42,18 @@ fn bevy_shows_what_is_denoised_by_the_guides_of_its_prepass() {
         assert!(text.contains(mistake), "{mistake}:\n{text}");
     }
     assert!(number(&text, "at most") <= 1.0, "{text}");
+    // All but pixels of edges, where a mesh is no sphere.
+    assert!(number(&text, "albedo of the denoiser:") > 0.98, "{text}");
     assert!(6.0 * number(&text, "RMSE denoised") < number(&text, "RMSE noisy"), "{text}");
+}
+
+#[test]
+fn bevy_shows_what_is_denoised_by_the_guides_of_its_prepass() {
+    shows_what_is_denoised(&[]);
+}
+
+/// Albedo and normals of the deferred G-buffer, light in the main texture of the camera.
+#[test]
+fn what_solari_leaves_is_denoised() {
+    shows_what_is_denoised(&["--like-solari"]);
 }

@@ -1,0 +1,132 @@
+//! The denoisers of `atrous` as a plugin of Bevy: behind Solari as it is, or behind a path tracer of your own.
+//!
+//! ```no_run
+//! # use bevy::prelude::*;
+//! use bevy_atrous::{Denoise, DenoisePlugin, Source};
+//!
+//! # let mut app = App::new();
+//! app.add_plugins(DenoisePlugin);
+//! # fn spawn(mut commands: Commands) {
+//! // Beside `SolariLighting`, whose light is in the main texture of the camera:
+//! commands.spawn((Camera3d::default(), Denoise { source: Source::MainTexture, ..default() }));
+//! # }
+//! ```
+//!
+//! Guides are Bevy's prepass as it is. Normals and albedo come from the deferred G-buffer, where the camera has one.
+
+mod gbuffer;
+mod view;
+
+pub use view::{conventions, DenoiseSystems, ViewDenoiser};
+
+use atrous::config::Preset;
+use atrous::{DebugView, Tuning};
+use bevy::camera::{CameraMainTextureUsages, Hdr};
+use bevy::core_pipeline::prepass::{DepthPrepass, MotionVectorPrepass};
+use bevy::core_pipeline::{Core3d, Core3dSystems};
+use bevy::ecs::lifecycle::HookContext;
+use bevy::ecs::world::DeferredWorld;
+use bevy::prelude::*;
+use bevy::render::sync_world::RenderEntity;
+use bevy::render::{ExtractSchedule, MainWorld, Render, RenderApp, RenderSystems};
+use wgpu::TextureUsages;
+
+/// Where the noisy light of a camera is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Source {
+    /// Your path tracer writes it into [`ViewDenoiser::noisy`], in [`DenoiseSystems::PathTrace`].
+    #[default]
+    PathTracer,
+    /// It is in the main texture of the camera, as Solari leaves it: copied from there behind [`Core3dSystems::MainPass`].
+    MainTexture,
+}
+
+/// Denoises what this camera shows. It has a prepass of normals (`NormalPrepass`) or the deferred G-buffer (`DeferredPrepass`, as
+/// `SolariLighting` has), and its viewport is the whole target.
+#[derive(Component, Clone, Debug)]
+#[require(Hdr, DepthPrepass, MotionVectorPrepass, Msaa, CameraMainTextureUsages)]
+#[component(on_add = prepare_camera)]
+pub struct Denoise {
+    /// The filter. Default: [`Preset::Best`].
+    pub preset: Preset,
+    /// Its numbers. `None`: those of the preset.
+    pub tuning: Option<Tuning>,
+    /// Where the noisy light is. Default: [`Source::PathTracer`].
+    pub source: Source,
+    /// Shows this instead of the picture, where the preset has it.
+    pub debug_view: Option<DebugView>,
+    /// Drops the history in the next frame: set it at a cut of the camera. The plugin takes it back.
+    pub reset: bool,
+}
+
+impl Default for Denoise {
+    fn default() -> Self {
+        Self { preset: Preset::default(), tuning: None, source: Source::default(), debug_view: None, reset: false }
+    }
+}
+
+/// Usages of a camera's main texture, which the denoiser reads and writes. [`Denoise`] adds them to its camera, and switches
+/// multisampling off.
+pub fn main_texture_usages() -> TextureUsages {
+    TextureUsages::STORAGE_BINDING | TextureUsages::COPY_SRC | TextureUsages::COPY_DST
+}
+
+/// A camera has components of its own by default, which go before those that are required here.
+fn prepare_camera(mut world: DeferredWorld, context: HookContext) {
+    if let Some(mut usages) = world.get_mut::<CameraMainTextureUsages>(context.entity) {
+        usages.0 |= main_texture_usages();
+    }
+    if let Some(mut msaa) = world.get_mut::<Msaa>(context.entity) {
+        *msaa = Msaa::Off;
+    }
+}
+
+/// See [`Denoise`].
+pub struct DenoisePlugin;
+
+impl Plugin for DenoisePlugin {
+    fn build(&self, app: &mut App) {
+        #[cfg(feature = "solari")]
+        app.add_systems(PostUpdate, follow_solari);
+        let Some(render_app) = app.get_sub_app_mut(RenderApp) else { return };
+        let order = (DenoiseSystems::Import, DenoiseSystems::PathTrace, DenoiseSystems::Filter).chain();
+        render_app
+            .add_systems(ExtractSchedule, extract)
+            .add_systems(Render, view::prepare.in_set(RenderSystems::PrepareResources))
+            .configure_sets(Core3d, order.after(Core3dSystems::MainPass).before(Core3dSystems::PostProcess))
+            .add_systems(Core3d, (view::import.in_set(DenoiseSystems::Import), view::filter.in_set(DenoiseSystems::Filter)));
+    }
+
+    fn finish(&self, app: &mut App) {
+        let Some(render_app) = app.get_sub_app_mut(RenderApp) else { return };
+        gbuffer::Unpack::insert(render_app.world_mut());
+    }
+}
+
+fn extract(mut main_world: ResMut<MainWorld>, mut commands: Commands) {
+    let mut cameras = main_world.query::<(RenderEntity, &Camera, Option<&mut Denoise>)>();
+    for (entity, camera, denoise) in cameras.iter_mut(&mut main_world) {
+        let Ok(mut rendered) = commands.get_entity(entity) else { continue };
+        match denoise.filter(|_| camera.is_active) {
+            Some(mut denoise) => {
+                rendered.insert(denoise.clone());
+                if denoise.reset {
+                    denoise.reset = false;
+                }
+            }
+            None => {
+                rendered.remove::<(Denoise, ViewDenoiser)>();
+            }
+        }
+    }
+}
+
+/// Before Solari takes its own reset back, when it is extracted.
+#[cfg(feature = "solari")]
+fn follow_solari(mut cameras: Query<(&bevy::solari::prelude::SolariLighting, &mut Denoise)>) {
+    for (solari, mut denoise) in &mut cameras {
+        if solari.reset {
+            denoise.reset = true;
+        }
+    }
+}
