@@ -200,7 +200,7 @@ impl SequenceWriter {
             return Err(refused_format(name, image.format));
         }
         let bytes = texel.bytes();
-        let [width, height] = texels.extent(extent, self.declaration.setup().output_of(extent));
+        let [width, height] = texels.extent(self.declaration.setup(), extent);
         let needed = width as usize * height as usize * bytes;
         if image.texels.len() != needed {
             let needed = format!("{needed} ({width}x{height} texels of {bytes} bytes)");

@@ -82,6 +82,11 @@ macro_rules! config_fields {
                 /// `upscaled_radiance` with [`PostProcess::None`]. Costs 16 bytes per pixel of the output, and 8 of the
                 /// result. None: the picture has the size that you rendered. Default: none.
                 output_extent: host extent_or_none Option<[u32; 2]> = None;
+                /// Width and height of your noisy images, each that of the rendered picture or half of it, which is even
+                /// then. Guides, albedo and emission keep the rendered size, and so does the result. In each frame say which
+                /// pixel you traced: [`crate::FrameParams::light_offset`]. Hit and occluder distances and ids, confidence,
+                /// gradients and forward motion have the size of the light. None: it has the rendered size. Default: none.
+                light_extent: host extent_or_none Option<[u32; 2]> = None;
             }
             conventions {
                 /// Encoding of depth. Default: [`DepthEncoding::Linear`].

@@ -95,6 +95,10 @@ impl Config {
     pub fn validate(&self) -> Result<(), Error> {
         check_extent("Config::allocated_extent", self.allocated_extent)?;
         check_output_extent(self.output_extent, self.allocated_extent)?;
+        check_light_extent(self.light_extent, self.allocated_extent)?;
+        if let Some(light) = self.light_extent.filter(|light| *light != self.allocated_extent && self.has_volume()) {
+            return Err(Error::VolumeOfLight { light });
+        }
         let ranges = [
             ("frames_in_flight", self.frames_in_flight, 1, 8),
             ("levels", self.levels(), 1, 10),
@@ -137,6 +141,15 @@ pub(crate) fn check_output_extent(output: Option<[u32; 2]>, rendered: [u32; 2]) 
     match fits(0) && fits(1) {
         true => Ok(()),
         false => Err(Error::OutputExtent { output, rendered }),
+    }
+}
+
+/// Checks the light of a picture of so many pixels.
+pub(crate) fn check_light_extent(light: Option<[u32; 2]>, rendered: [u32; 2]) -> Result<(), Error> {
+    let Some(light) = light else { return Ok(()) };
+    match (0..2).all(|i| light[i] == rendered[i] || light[i] * 2 == rendered[i]) {
+        true => Ok(()),
+        false => Err(Error::LightExtent { light, rendered }),
     }
 }
 

@@ -135,7 +135,7 @@ impl<'a> Scene<'a> {
 impl Scene<'_> {
     fn accumulated(&self, p: IVec2) -> ([f32; 4], LuminanceHistory, SeenReflection, Option<f32>, bool) {
         let [r, g, b, own_distance] = self.inputs.noisy.at(p);
-        let roughness = roughness_of(self.frame, self.inputs.roughness.map_or(1.0, |image| image.at(p)[0]));
+        let roughness = roughness_of(self.frame, self.inputs.roughness.map_or(1.0, |image| image.at(self.frame.guide_pixel(p))[0]));
         let surface = self.motion.surfaces.at(p);
         let noisy = [r, g, b, own_distance];
         let with = |(texel, luminance_history), seen, share| (texel, luminance_history, seen, share, false);
