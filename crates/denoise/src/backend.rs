@@ -208,7 +208,9 @@ fn traced<'a, T: Copy>(declaration: &Declaration, name: &str, texels: &'a [T], o
     if [columns, rows] == [width, height] || columns * 2 < width || rows * 2 < height {
         return texels.into();
     }
-    let at = |x: u32, y: u32| (y * (height / rows) + offset[1]) * width + x * (width / columns) + offset[0];
+    // An offset beyond a cell is refused when the frame runs.
+    let ratio = [width / columns, height / rows];
+    let at = |x: u32, y: u32| (y * ratio[1] + offset[1] % ratio[1]) * width + x * ratio[0] + offset[0] % ratio[0];
     let picked = (0..rows).flat_map(|y| (0..columns).map(move |x| at(x, y)));
     picked.filter_map(|pixel| texels.get(pixel as usize).copied()).collect()
 }
