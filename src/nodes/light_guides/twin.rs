@@ -53,3 +53,44 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         _ => Ok(()),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::reference::projection::view_position;
+    use crate::reference::surface_motion::{pack_surface_motion, unpack_surface_motion};
+    use crate::reference::test_scene::{camera, frame_with};
+    use crate::{Config, FrameParams};
+    use glam::{IVec2, Vec3};
+
+    const EXTENT: [u32; 2] = [24, 16];
+
+    fn frame(light: [u32; 2], light_offset: [u32; 2]) -> FrameConstants {
+        let config = Config { light_extent: Some(light), ..Config::new(EXTENT) };
+        let before = camera(EXTENT, Vec3::ZERO);
+        frame_with(&config, &before, &FrameParams { jitter: [0.3, -0.45], light_offset, ..before })
+    }
+
+    #[test]
+    fn a_pixel_of_light_lies_where_it_was_traced() {
+        for (light, offset) in [([12, 8], [0, 0]), ([12, 8], [1, 0]), ([12, 8], [1, 1]), ([24, 8], [0, 1]), ([12, 16], [1, 0])] {
+            let frame = frame(light, offset);
+            assert_eq!(frame.render_extent, light);
+            for p in [IVec2::new(0, 0), IVec2::new(5, 3), IVec2::new(11, 7)] {
+                let (of_light, traced) =
+                    (view_position(&frame, p, 3.0), view_position(&frame.of_guides(), frame.guide_pixel(p), 3.0));
+                assert!((of_light - traced).length() < 1e-5, "{light:?} {offset:?} {p}: {of_light} {traced}");
+            }
+        }
+    }
+
+    #[test]
+    fn motion_and_change_of_depth_count_pixels_of_light() {
+        let frame = frame([12, 16], [1, 0]);
+        let texel = pack_surface_motion([3.0, -5.0], Some((0.25, [0.0, 0.0, 1.0])));
+        let moved = unpack_surface_motion(motion_of_light(&frame, texel));
+        assert_eq!((moved.motion, moved.depth_ratio), ([1.5, -5.0], 0.25));
+        let gradient = gradient_of_light(&frame, pack_depth_gradient([0.5, 60000.0]));
+        assert_eq!(unpack_depth_gradient(gradient), [1.0, 60000.0]);
+    }
+}

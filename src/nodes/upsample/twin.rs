@@ -108,3 +108,66 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let upsampled = upsample(b.frame, &UpsampleInputs { rendered_guide, guide, filtered: &b.colours("filtered")? }, store);
     b.write_signals("upsampled", upsampled)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::reference::guide::pack_guide;
+    use crate::reference::test_scene::{camera, frame_with, paint, surface};
+    use crate::{Config, FrameParams};
+
+    const EXTENT: [u32; 2] = [16, 12];
+
+    /// Upsampled light of surfaces, traced at an offset; each pixel of light has that of its traced surface.
+    fn upsampled(
+        light_offset: [u32; 2],
+        surfaces: impl Fn(i32, i32) -> Surface,
+        light: impl Fn(&Surface) -> f32,
+    ) -> Image<[f32; 4]> {
+        let config = Config { light_extent: Some(EXTENT.map(|side| side / 2)), ..Config::new(EXTENT) };
+        let before = camera(EXTENT, Vec3::ZERO);
+        let frame = frame_with(&config, &before, &FrameParams { light_offset, ..before });
+        let traced = paint(frame.render_extent, |x, y| {
+            let p = frame.guide_pixel(IVec2::new(x, y));
+            surfaces(p.x, p.y)
+        });
+        let filtered = traced.map(|surface| [light(surface); 4]);
+        let (rendered_guide, guide) = (paint(EXTENT, |x, y| pack_guide(&surfaces(x, y))), traced.map(pack_guide));
+        let inputs = UpsampleInputs { rendered_guide: &rendered_guide, guide: &guide, filtered: &[&filtered] };
+        upsample(&frame, &inputs, store).remove(0)
+    }
+
+    #[test]
+    fn a_constant_light_is_a_fixed_point() {
+        for (offset, light) in [([0, 0], 0.5), ([1, 1], 30000.0), ([1, 0], 0.0)] {
+            let picture = upsampled(offset, |x, _| if x < 7 { surface(4.0) } else { Surface::default() }, |_| light);
+            assert!(picture.texels().iter().all(|texel| (texel[0] - light).abs() <= 1e-3 * light), "{:?}", picture.texels());
+        }
+    }
+
+    #[test]
+    fn light_stays_on_its_surface() {
+        let turned = Surface { normal: [1.0, 0.0, 0.0], ..surface(4.0) };
+        let dark = Surface { is_dark: true, ..surface(4.0) };
+        for other in [surface(5.0), turned, dark, Surface::default()] {
+            for offset in [[0, 0], [1, 0], [0, 1], [1, 1]] {
+                let is_other = |x: i32| x >= 7;
+                let light = |s: &Surface| if *s == surface(4.0) { 1.0 } else { 0.0 };
+                let picture = upsampled(offset, |x, _| if is_other(x) { other } else { surface(4.0) }, light);
+                for (x, y) in (0..16).flat_map(|x| (0..12).map(move |y| (x, y))) {
+                    let (value, right) = (picture.at(IVec2::new(x, y))[0], if is_other(x) { 0.0 } else { 1.0 });
+                    // A wall that is turned away cannot have the same depth everywhere, so its own taps lie beside its plane.
+                    let counts = other != turned || !is_other(x);
+                    assert!(!counts || (value - right).abs() < 0.15, "{other:?} {offset:?} {x},{y}: {value}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_thing_that_no_sample_hit_takes_the_light_around() {
+        let is_thin = |x: i32| x == 6;
+        let picture = upsampled([1, 0], |x, _| if is_thin(x) { Surface { is_dark: true, ..surface(2.0) } } else { surface(4.0) }, |_| 0.75);
+        assert!((0..12).all(|y| (picture.at(IVec2::new(6, y))[0] - 0.75).abs() < 1e-3));
+    }
+}
