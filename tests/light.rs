@@ -162,6 +162,12 @@ fn light_of_another_size_is_refused() {
     assert!(odd.to_string().contains("[95, 54]"), "{odd}");
     let volume = Config { light_extent: Some(HALF), volume: true, ..Config::new(EXTENT) }.declare().expect_err("a volume");
     assert!(volume.to_string().contains("[48, 27]") && volume.to_string().contains("volume"), "{volume}");
+    #[cfg(feature = "capture")]
+    {
+        let folder = tempfile::tempdir().expect("a folder");
+        let refused = session(&half()).capture(folder.path().join("light"), 1).expect_err("images of two sizes").to_string();
+        assert!(refused.contains("[48, 27]") && refused.contains("light_extent"), "{refused}");
+    }
     // Frames.
     let mut s = session(&Config { light_extent: Some([48, 54]), ..Config::new(EXTENT) });
     upload_traced(&mut s, &Scene::new(EXTENT).frame(0, 0), [0; 2]);
