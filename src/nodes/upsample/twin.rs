@@ -167,7 +167,8 @@ mod tests {
     #[test]
     fn a_thing_that_no_sample_hit_takes_the_light_around() {
         let is_thin = |x: i32| x == 6;
-        let picture = upsampled([1, 0], |x, _| if is_thin(x) { Surface { is_dark: true, ..surface(2.0) } } else { surface(4.0) }, |_| 0.75);
+        let picture =
+            upsampled([1, 0], |x, _| if is_thin(x) { Surface { is_dark: true, ..surface(2.0) } } else { surface(4.0) }, |_| 0.75);
         assert!((0..12).all(|y| (picture.at(IVec2::new(6, y))[0] - 0.75).abs() < 1e-3));
     }
 }
