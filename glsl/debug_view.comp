@@ -166,7 +166,7 @@ vec4 percentiles_at(ivec2 p) {
 float excess(ivec2 p, texture2D noisy, utexture2D firefly_limits) {
     vec3 radiance = texelFetch(noisy, p, 0).rgb, divisor = vec3(1.0);
     if (!is_finite(radiance)) return 0.0;
-    if (is_present(ALBEDO)) divisor = divisor_of(texelFetch(albedo, p, 0).rgb);
+    if (is_present(ALBEDO)) divisor = divisor_of(texelFetch(albedo, guide_pixel(p), 0).rgb);
     float l = luminance(half_range(exposed(radiance) / divisor)), limit = unpack_firefly_limits(texelFetch(firefly_limits, p / CELL_SIZE, 0).x).limit;
     return limit > 0.0 && l > limit ? 1.0 - limit / l : 0.0;
 }

@@ -63,7 +63,8 @@ vec3 divisor_at(ivec2 p, GuideBits packed, out bool bad) {
     bool from_f0 = !is_present(ALBEDO) && is_present(SPECULAR_F0);
     bad = false;
     if ((!is_present(ALBEDO) && !from_f0) || guide_depth(packed) == 0.0) return vec3(1.0);
-    vec3 a = from_f0 ? texelFetch(specular_f0, p, 0).rgb : texelFetch(albedo, p, 0).rgb;
+    ivec2 traced = guide_pixel(p);
+    vec3 a = from_f0 ? texelFetch(specular_f0, traced, 0).rgb : texelFetch(albedo, traced, 0).rgb;
     bad = !is_finite(a);
     return divisor_of(from_f0 ? specular_albedo_from(a, p, packed) : a);
 }

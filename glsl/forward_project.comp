@@ -142,7 +142,7 @@ uvec4 next_candidate(ivec2 s, uint taken) {
     uint chosen = pcg(uint(s.x) + uint(s.y) * width + pcg(frame.frame_index + CANDIDATE_SALT)) % count;
     if (chosen >= skipped) ++chosen;
     ivec2 pixel = first_pixel(s) + ivec2(chosen % extent.x, chosen / extent.x);
-    uint id = is_present(SURFACE_ID) ? texelFetch(surface_id, pixel, 0).x : 0xffffffffu;
+    uint id = is_present(SURFACE_ID) ? texelFetch(surface_id, guide_pixel(pixel), 0).x : 0xffffffffu;
     return uvec4(uvec2(pixel), id & 0xffffu, id >> 16);
 }
 

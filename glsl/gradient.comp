@@ -86,7 +86,7 @@ KeptRadiance noisy_at(ivec2 p) {
 
 float albedo_at(ivec2 p, bool background) {
     if (background || !is_present(ALBEDO)) return 1.0;
-    return luminance(divisor_of(texelFetch(albedo, p, 0).rgb));
+    return luminance(divisor_of(texelFetch(albedo, guide_pixel(p), 0).rgb));
 }
 
 // Luminance, negative without a sample, and that of the albedo.

@@ -15,6 +15,7 @@ layout(push_constant) uniform Push {
     uint present;
 } push;
 
+#define GUIDE_PIXELS
 #include "frame.glsl"
 #include "conventions.glsl"
 #include "demodulation.glsl"

@@ -16,6 +16,7 @@ layout(push_constant) uniform Push {
     uint present;
 } push;
 
+#define GUIDE_PIXELS
 #include "frame.glsl"
 #include "optional.glsl"
 #include "conventions.glsl"

@@ -309,7 +309,7 @@ void main() {
     if (!is_inside(p)) return;
     GuideBits packed = GuideBits(packed_at(guide, p));
     vec4 value = texelFetch(noisy, p, 0);
-    float rough = roughness_of(is_present(ROUGHNESS) ? stored_roughness(texelFetch(roughness, p, 0)) : 1.0);
+    float rough = roughness_of(is_present(ROUGHNESS) ? stored_roughness(texelFetch(roughness, guide_pixel(p), 0)) : 1.0);
     bool background = guide_depth(packed) == 0.0;
     float worth = sample_worth(value.a);
     LuminanceHistory luminance_history = first_luminance(value.rgb, worth, background ? REASON_NONE : REASON_RESET);

@@ -22,6 +22,7 @@ layout(push_constant) uniform Push {
     float taa_gamma;
 } push;
 
+#define GUIDE_PIXELS
 #include "frame.glsl"
 #include "optional.glsl"
 #include "surface_motion.glsl"

@@ -35,7 +35,7 @@ vec3 aces(vec3 x) { return x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14
 
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(p, ivec2(OUTPUT ? frame.output_extent : frame.render_extent)))) return;
+    if (any(greaterThanEqual(p, ivec2(OUTPUT ? frame.output_extent : frame.guide_extent)))) return;
     vec3 radiance = texelFetch(radiance_0, p, 0).rgb;
     if (is_present(RADIANCE_1)) radiance += texelFetch(radiance_1, p, 0).rgb;
     // Beyond any light, so that what is made of it is finite.

@@ -24,6 +24,30 @@ pub enum Error {
         /// Extent that images were allocated with.
         allocated: [u32; 2],
     },
+    /// The light has neither the size of the rendered picture nor half of it.
+    #[error("light of {light:?} pixels for {rendered:?} rendered pixels; each side must be equal to theirs, or exactly half of it. Change Config::light_extent, or render an even number of pixels")]
+    LightExtent {
+        /// Pixels of light: as given, or of the frame.
+        light: [u32; 2],
+        /// Allocated extent, or render extent of a frame.
+        rendered: [u32; 2],
+    },
+    /// The pixel that light was traced for lies beyond its cell.
+    #[error("FrameParams::light_offset is {given:?}, and each pixel of light stands for {ratio:?} rendered ones; each must be below that")]
+    LightOffset {
+        /// Offset as given.
+        given: [u32; 2],
+        /// Rendered pixels for each of the light.
+        ratio: [u32; 2],
+    },
+    /// A volume and the reactive mask have the pixels of the guides.
+    #[error("Config::light_extent is {light:?}, and Config::{needs} needs light in each rendered pixel. Leave one of both out")]
+    WholeLight {
+        /// The field of the configuration.
+        needs: &'static str,
+        /// Pixels of light as given.
+        light: [u32; 2],
+    },
     /// The output is smaller than the rendered picture, or more than three times as wide or high.
     #[error("Config::output_extent is {output:?} for {rendered:?} rendered pixels; each side must be 1 to 3 times theirs. Render more or fewer pixels, or leave it out")]
     OutputExtent {

@@ -31,7 +31,33 @@ pub struct FrameConstants {
     pub previous_lights: [[f32; 4]; 4],
     pub output_extent: [u32; 2],
     pub previous_output_extent: [u32; 2],
+    pub guide_extent: [u32; 2],
+    pub previous_guide_extent: [u32; 2],
+    pub guide_jitter: [f32; 2],
+    pub previous_guide_jitter: [f32; 2],
+    pub light_ratio: [u32; 2],
+    pub light_offset: [u32; 2],
     pub motion_scale: f32,
+}
+
+impl FrameConstants {
+    /// As a stage reads it that runs once for each pixel of the guides: `GUIDE_PIXELS` of `frame.glsl`.
+    pub(crate) fn of_guides(&self) -> Self {
+        Self {
+            render_extent: self.guide_extent,
+            previous_render_extent: self.previous_guide_extent,
+            jitter: self.guide_jitter,
+            previous_jitter: self.previous_guide_jitter,
+            light_ratio: [1; 2],
+            light_offset: [0; 2],
+            ..*self
+        }
+    }
+
+    /// The pixel of the guides that a pixel of light was traced for.
+    pub(crate) fn guide_pixel(&self, p: glam::IVec2) -> glam::IVec2 {
+        p * glam::UVec2::from(self.light_ratio).as_ivec2() + glam::UVec2::from(self.light_offset).as_ivec2()
+    }
 }
 
 /// Bits of [`FrameConstants::flags`]: the reset, and your conventions.

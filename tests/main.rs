@@ -29,6 +29,7 @@ mod hosts;
 #[cfg(feature = "hot-reload")]
 mod hot_reload;
 mod input_sets;
+mod light;
 mod links;
 mod mirror;
 mod one_call;
@@ -91,6 +92,7 @@ fn main() {
         Group { name: "properties", tests: properties::TESTS, needs_device: true },
         Group { name: "gradients", tests: gradients::TESTS, needs_device: true },
         Group { name: "graphs", tests: graphs::TESTS, needs_device: true },
+        Group { name: "light", tests: light::TESTS, needs_device: true },
         Group { name: "links", tests: links::TESTS, needs_device: false },
         Group { name: "mirror", tests: mirror::TESTS, needs_device: true },
         Group { name: "one_call", tests: one_call::TESTS, needs_device: true },

@@ -34,8 +34,29 @@ layout(set = 0, binding = 0, std140) FRAME_ACCESS FrameConstants {
     vec4 previous_lights[4];        // in the previous frame
     uvec2 output_extent;            // pixels
     uvec2 previous_output_extent;   // pixels
+    uvec2 guide_extent;             // pixels; render_extent and jitter are those of the light, which may have fewer
+    uvec2 previous_guide_extent;    // pixels
+    vec2 guide_jitter;              // pixels of the guides
+    vec2 previous_guide_jitter;     // pixels of the guides
+    uvec2 light_ratio;              // pixels of the guides for each of the light
+    uvec2 light_offset;             // pixels of the guides
     float motion_scale;             // factor of the host's motion
 } frame;
+
+// A stage that runs once for each pixel of the guides defines this, and reads their extents and jitter by the same names.
+#ifdef GUIDE_PIXELS
+#define render_extent guide_extent
+#define previous_render_extent previous_guide_extent
+#define jitter guide_jitter
+#define previous_jitter previous_guide_jitter
+#endif
+
+// The pixel of the guides that a pixel of light was traced for; of one of the guides, itself.
+#ifdef GUIDE_PIXELS
+ivec2 guide_pixel(ivec2 p) { return p; }
+#else
+ivec2 guide_pixel(ivec2 p) { return p * ivec2(frame.light_ratio) + ivec2(frame.light_offset); }
+#endif
 
 const uint FLAG_RESET = 1u;
 const uint FLAG_RESHADED = 1u << 16;

@@ -28,7 +28,7 @@ Scenery scenery_before(Mirror c, Curvature curvature, Reflection seen, out bool 
     lacks_transform = false;
     Scenery rest = at_rest(c, curvature, seen.hit_distance);
     if (!is_present(SPECULAR_HIT_ID) || !is_present(INSTANCE_TRANSFORMS) || !(seen.hit_distance > 0.0)) return rest;
-    uint thing_id = texelFetch(specular_hit_id, c.p, 0).x, mirror_id = is_present(SURFACE_ID) ? texelFetch(surface_id, c.p, 0).x : 0u;
+    uint thing_id = texelFetch(specular_hit_id, c.p, 0).x, mirror_id = is_present(SURFACE_ID) ? texelFetch(surface_id, guide_pixel(c.p), 0).x : 0u;
     vec4 rows[3], thing = vec4(c.position + reflect(c.sight, c.normal) * seen.hit_distance, 1.0), to;
     Scenery before = rest;
     bool thing_moves = thing_id != 0u && instance_rows(thing_id, rows) && carried(rows, thing, to);

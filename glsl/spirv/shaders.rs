@@ -5,14 +5,20 @@ const _: () = assert!(std::mem::offset_of!(FrameConstants, eye) == 448);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, filter_exposure) == 440);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, flags) == 420);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, frame_index) == 416);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, guide_extent) == 608);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, guide_jitter) == 624);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, inverse_filter_exposure) == 444);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, jitter) == 400);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, light_offset) == 648);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, light_ratio) == 640);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, lights) == 464);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, motion_scale) == 608);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, motion_scale) == 656);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, output_extent) == 592);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_from_world) == 128);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_w_offset) == 436);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_w_scale) == 432);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_guide_extent) == 616);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_guide_jitter) == 632);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_jitter) == 408);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_lights) == 528);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_output_extent) == 600);
@@ -642,6 +648,26 @@ pub(crate) static IMPORT_SURFACE_ID_1: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
+pub(crate) static LIGHT_GUIDES: Shader = Shader {
+    stage: Cow::Borrowed("light_guides"), name: Cow::Borrowed("light_guides"), spirv: Cow::Borrowed(include_bytes!("light_guides.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("rendered_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("rendered_surface_motion"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("rendered_depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("surface_motion"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 7, name: Cow::Borrowed("rendered_object_normal_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 8, name: Cow::Borrowed("object_normal_guide"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: true },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+    ]),
+};
 pub(crate) static MODULATE_FLOAT_0: Shader = Shader {
     stage: Cow::Borrowed("modulate"), name: Cow::Borrowed("modulate_float_0"), spirv: Cow::Borrowed(include_bytes!("modulate_float_0.spv")), workgroup: [8, 8, 1],
     bindings: Cow::Borrowed(&[
@@ -973,6 +999,44 @@ pub(crate) static TONE_MAP: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("OUTPUT"), id: 1, scalar: Scalar::Bool, default: 0 },
     ]),
 };
+pub(crate) static UPSAMPLE_NUMBER_0: Shader = Shader {
+    stage: Cow::Borrowed("upsample"), name: Cow::Borrowed("upsample_number_0"), spirv: Cow::Borrowed(include_bytes!("upsample_number_0.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("rendered_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("filtered_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("filtered_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 5, name: Cow::Borrowed("upsampled_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("upsampled_1"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: true },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
+    ]),
+};
+pub(crate) static UPSAMPLE_NUMBER_1: Shader = Shader {
+    stage: Cow::Borrowed("upsample"), name: Cow::Borrowed("upsample_number_1"), spirv: Cow::Borrowed(include_bytes!("upsample_number_1.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("rendered_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("filtered_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("filtered_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 5, name: Cow::Borrowed("upsampled_0"), kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("upsampled_1"), kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly), optional: true },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
+    ]),
+};
 pub(crate) static VARIANCE_SIGNALS_1: Shader = Shader {
     stage: Cow::Borrowed("variance"), name: Cow::Borrowed("variance_signals_1"), spirv: Cow::Borrowed(include_bytes!("variance_signals_1.spv")), workgroup: [8, 8, 1],
     bindings: Cow::Borrowed(&[
@@ -1159,4 +1223,4 @@ pub(crate) static VOLUME_POINTS: Shader = Shader {
     ]),
 };
 #[cfg(test)]
-pub(crate) static ALL: &[&Shader] = &[&ATROUS_SIGNALS_1, &ATROUS_SIGNALS_2, &ATROUS_SIGNALS_1_SPECULAR_1, &BLOCK_DIFFERENCE, &BLOCK_PERCENTILES, &CHANGE_TEST, &CLEAR_CLAIMS, &DEBUG_VIEW, &DEMODULATE_LUMINANCE_0, &DEMODULATE_LUMINANCE_1, &EAW_SIGNALS_1, &EAW_SIGNALS_2, &FILL_HOLES, &FILTER_EXPOSURE, &FIREFLY, &FIREFLY_LIMITS_RETURNING_0, &FIREFLY_LIMITS_RETURNING_1, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1, &GRADIENT, &GRADIENT_ATROUS_RATIO_0, &GRADIENT_ATROUS_RATIO_1, &HISTORY_CONFIDENCE_SOURCE_0, &HISTORY_CONFIDENCE_SOURCE_1, &IMPORT_SURFACE_ID_0, &IMPORT_SURFACE_ID_1, &MODULATE_FLOAT_0, &MODULATE_FLOAT_1, &PERCENTILE_RULE, &REACTIVE_MASK, &SAMPLE_ALBEDO, &SHADOWED_LIGHT_FLOAT_0, &SHADOWED_LIGHT_FLOAT_1, &SPECULAR_ACCUMULATION, &TEMPORAL_ACCUMULATION_SIGNALS_1, &TEMPORAL_ACCUMULATION_SIGNALS_2, &TEMPORAL_UPSCALE_FLOAT_0, &TEMPORAL_UPSCALE_FLOAT_1, &TONE_MAP, &VARIANCE_SIGNALS_1, &VARIANCE_SIGNALS_2, &VISIBILITY_ACCUMULATION, &VISIBILITY_FILTER_LAST_0, &VISIBILITY_FILTER_LAST_1, &VISIBILITY_SAMPLES, &VOLUME_MOTION_RESOLVE_0, &VOLUME_MOTION_RESOLVE_1, &VOLUME_POINTS, ];
+pub(crate) static ALL: &[&Shader] = &[&ATROUS_SIGNALS_1, &ATROUS_SIGNALS_2, &ATROUS_SIGNALS_1_SPECULAR_1, &BLOCK_DIFFERENCE, &BLOCK_PERCENTILES, &CHANGE_TEST, &CLEAR_CLAIMS, &DEBUG_VIEW, &DEMODULATE_LUMINANCE_0, &DEMODULATE_LUMINANCE_1, &EAW_SIGNALS_1, &EAW_SIGNALS_2, &FILL_HOLES, &FILTER_EXPOSURE, &FIREFLY, &FIREFLY_LIMITS_RETURNING_0, &FIREFLY_LIMITS_RETURNING_1, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1, &GRADIENT, &GRADIENT_ATROUS_RATIO_0, &GRADIENT_ATROUS_RATIO_1, &HISTORY_CONFIDENCE_SOURCE_0, &HISTORY_CONFIDENCE_SOURCE_1, &IMPORT_SURFACE_ID_0, &IMPORT_SURFACE_ID_1, &LIGHT_GUIDES, &MODULATE_FLOAT_0, &MODULATE_FLOAT_1, &PERCENTILE_RULE, &REACTIVE_MASK, &SAMPLE_ALBEDO, &SHADOWED_LIGHT_FLOAT_0, &SHADOWED_LIGHT_FLOAT_1, &SPECULAR_ACCUMULATION, &TEMPORAL_ACCUMULATION_SIGNALS_1, &TEMPORAL_ACCUMULATION_SIGNALS_2, &TEMPORAL_UPSCALE_FLOAT_0, &TEMPORAL_UPSCALE_FLOAT_1, &TONE_MAP, &UPSAMPLE_NUMBER_0, &UPSAMPLE_NUMBER_1, &VARIANCE_SIGNALS_1, &VARIANCE_SIGNALS_2, &VISIBILITY_ACCUMULATION, &VISIBILITY_FILTER_LAST_0, &VISIBILITY_FILTER_LAST_1, &VISIBILITY_SAMPLES, &VOLUME_MOTION_RESOLVE_0, &VOLUME_MOTION_RESOLVE_1, &VOLUME_POINTS, ];

@@ -94,9 +94,16 @@ impl SequenceWriter {
     /// Makes the folder where there is none, and proves that files can be made in it.
     ///
     /// # Errors
-    /// [`Error::Capture`] for a folder that cannot be written or that holds a sequence already.
+    /// [`Error::Capture`] for a folder that cannot be written or that holds a sequence already, and for light of fewer pixels
+    /// than the guides.
     pub fn new(folder: impl AsRef<Path>, declaration: &Declaration) -> Result<Self, Error> {
         let folder = folder.as_ref().to_owned();
+        let setup = declaration.setup();
+        if let Some(light) = setup.light_extent.filter(|light| *light != setup.allocated_extent) {
+            let problem =
+                format!("Config::light_extent is {light:?}, and the images of a capture have one size; capture without it");
+            return Err(Error::Capture { path: folder, problem });
+        }
         exr_file::prepare(&folder)?;
         Ok(Self { folder, declaration: declaration.clone(), first: None, frames: BTreeMap::new() })
     }
@@ -200,7 +207,7 @@ impl SequenceWriter {
             return Err(refused_format(name, image.format));
         }
         let bytes = texel.bytes();
-        let [width, height] = texels.extent(extent, self.declaration.setup().output_of(extent));
+        let [width, height] = texels.extent(self.declaration.setup(), extent);
         let needed = width as usize * height as usize * bytes;
         if image.texels.len() != needed {
             let needed = format!("{needed} ({width}x{height} texels of {bytes} bytes)");

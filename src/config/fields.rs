@@ -126,6 +126,11 @@ macro_rules! config_fields {
                 /// new: history was lost, is short, or light changed. Green is the share of its light that is emitted. Only for
                 /// presets with a history. Costs 8 bytes per pixel and one pass. Default: false.
                 reactive_mask: host flag bool = false;
+                /// Width and height of your noisy images, each that of the rendered picture or half of it, which is even
+                /// then. Guides, albedo and emission keep the rendered size, and so does the result. In each frame say which
+                /// pixel you traced: [`crate::FrameParams::light_offset`]. Hit and occluder distances and ids, confidence,
+                /// gradients and forward motion have the size of the light. None: it has the rendered size. Default: none.
+                light_extent: host extent_or_none Option<[u32; 2]> = None;
             }
         }
     };

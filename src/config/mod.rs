@@ -100,6 +100,13 @@ impl Config {
     pub fn validate(&self) -> Result<(), Error> {
         check_extent("Config::allocated_extent", self.allocated_extent)?;
         check_output_extent(self.output_extent, self.allocated_extent)?;
+        check_light_extent(self.light_extent, self.allocated_extent)?;
+        let whole = [("volume", self.has_volume()), ("reactive_mask", self.reactive_mask)];
+        if let Some((light, (needs, _))) = self.light_extent.zip(whole.into_iter().find(|(_, is_asked)| *is_asked)) {
+            if light != self.allocated_extent {
+                return Err(Error::WholeLight { needs, light });
+            }
+        }
         let ranges = [
             ("frames_in_flight", self.frames_in_flight, 1, 8),
             ("levels", self.levels(), 1, 10),
@@ -142,6 +149,15 @@ pub(crate) fn check_output_extent(output: Option<[u32; 2]>, rendered: [u32; 2]) 
     match fits(0) && fits(1) {
         true => Ok(()),
         false => Err(Error::OutputExtent { output, rendered }),
+    }
+}
+
+/// Checks the light of a picture of so many pixels.
+pub(crate) fn check_light_extent(light: Option<[u32; 2]>, rendered: [u32; 2]) -> Result<(), Error> {
+    let Some(light) = light else { return Ok(()) };
+    match (0..2).all(|i| light[i] == rendered[i] || light[i] * 2 == rendered[i]) {
+        true => Ok(()),
+        false => Err(Error::LightExtent { light, rendered }),
     }
 }
 

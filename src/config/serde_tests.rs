@@ -32,6 +32,7 @@ fn config() -> Config {
         float_output: true,
         debug_view: true,
         output_extent: Some([96, 72]),
+        light_extent: Some([32, 18]),
         reactive_mask: true,
         conventions: Conventions {
             depth: DepthEncoding::Device,

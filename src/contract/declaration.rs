@@ -100,9 +100,10 @@ impl Declaration {
     /// # Errors
     /// [`Error::Extent`], as [`Config::declare`] and [`crate::graph::Graph::finish`] give it.
     pub fn with_extent(&self, allocated_extent: [u32; 2]) -> Result<Self, Error> {
-        let setup = Setup { allocated_extent, ..self.setup };
+        let light_extent = self.setup.light_for(allocated_extent);
+        let setup = Setup { allocated_extent, light_extent, ..self.setup };
         setup.validate()?;
-        let config = self.config.map(|config| Config { allocated_extent, ..config });
+        let config = self.config.map(|config| Config { allocated_extent, light_extent, ..config });
         Ok(Self { setup, config, ..self.clone() })
     }
 

@@ -54,8 +54,10 @@ pub(crate) enum Parameter {
 /// Invocations of a dispatch.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Grid {
-    /// One per pixel of this frame.
+    /// One per pixel of this frame's light.
     Pixels,
+    /// One per rendered pixel, which the guides have.
+    Guides,
     /// One per stratum of so many pixels a side, of this frame and of the previous one, which is
     /// walked, too.
     Strata(u32),

@@ -2,7 +2,7 @@
 
 use super::{DebugView, Setup, Tuning};
 use crate::choice::choices;
-use crate::config::{check_extent, check_output_extent};
+use crate::config::{check_extent, check_light_extent, check_output_extent};
 use crate::error::Error;
 use crate::frame_constants::{Flags, FrameConstants};
 use glam::{DMat4, DVec3, Mat4};
@@ -75,6 +75,10 @@ pub struct FrameParams {
     /// Default: 0, not known.
     #[cfg_attr(feature = "serde", serde(default))]
     pub lights: [[f32; 4]; 4],
+    /// With [`crate::Config::light_extent`], the rendered pixel that each pixel of light was traced for: `light_offset` beyond
+    /// the pixel of light times the ratio. It may differ from frame to frame. Each is 0, or 1 along a halved axis. Default: 0, 0.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub light_offset: [u32; 2],
 }
 
 /// The exposure ratio of a file that has none.
@@ -99,6 +103,7 @@ impl FrameParams {
             debug_view: None,
             complete_frames: None,
             lights: [[0.0; 4]; 4],
+            light_offset: [0; 2],
         }
     }
 
@@ -108,6 +113,11 @@ impl FrameParams {
             return Err(Error::RenderExtent { render: self.render_extent, allocated: setup.allocated_extent });
         }
         check_output_extent(setup.output_extent, self.render_extent)?;
+        let ratio = setup.light_ratio();
+        check_light_extent(setup.light_extent.map(|_| setup.light_of(self.render_extent)), self.render_extent)?;
+        if (0..2).any(|i| self.light_offset[i] >= ratio[i]) {
+            return Err(Error::LightOffset { given: self.light_offset, ratio });
+        }
         if self.frame_slot >= setup.frames_in_flight {
             return Err(Error::FrameSlot { given: self.frame_slot, frames_in_flight: setup.frames_in_flight });
         }
@@ -227,7 +237,8 @@ fn constants(setup: &Setup, now: &FrameParams, before: &FrameParams, index: u64,
     let world_from_view = double(&now.view_from_world).inverse();
     let previous_view = double(&before.view_from_world) * DMat4::from_translation(eye);
     let columns = |m: DMat4| m.to_cols_array_2d().map(|column| column.map(|x| x as f32));
-    let forward = forward::ForwardProjection::new(&setup.conventions, now, before, eye);
+    let (light, light_before) = (of_light(setup, now), of_light(setup, before));
+    let forward = forward::ForwardProjection::new(&setup.conventions, &light, &light_before, eye);
     FrameConstants {
         clip_from_view: now.clip_from_view,
         world_from_view: columns(DMat4::from_translation(-eye) * world_from_view),
@@ -235,10 +246,10 @@ fn constants(setup: &Setup, now: &FrameParams, before: &FrameParams, index: u64,
         previous_view_from_world: columns(previous_view),
         world_from_previous_sample: forward.world_from_previous_sample,
         sample_from_world: forward.sample_from_world,
-        render_extent: now.render_extent,
-        previous_render_extent: before.render_extent,
-        jitter: now.jitter,
-        previous_jitter: before.jitter,
+        render_extent: light.render_extent,
+        previous_render_extent: light_before.render_extent,
+        jitter: light.jitter,
+        previous_jitter: light_before.jitter,
         frame_index: index as u32,
         flags: Flags::of(&setup.conventions, reset) | if now.reshaded { Flags::RESHADED } else { 0 },
         exposure_ratio: now.exposure_ratio,
@@ -256,8 +267,24 @@ fn constants(setup: &Setup, now: &FrameParams, before: &FrameParams, index: u64,
         }),
         output_extent: setup.output_of(now.render_extent),
         previous_output_extent: setup.output_of(before.render_extent),
+        guide_extent: now.render_extent,
+        previous_guide_extent: before.render_extent,
+        guide_jitter: now.jitter,
+        previous_guide_jitter: before.jitter,
+        light_ratio: setup.light_ratio(),
+        light_offset: now.light_offset,
         motion_scale: setup.conventions.motion_scale,
     }
+}
+
+/// A frame as its light sees it: with the pixels of the light, whose samples lie beside their centres by the offset, too.
+fn of_light(setup: &Setup, params: &FrameParams) -> FrameParams {
+    let ratio = setup.light_ratio();
+    let jitter = [0, 1].map(|i| match ratio[i] {
+        1 => params.jitter[i],
+        side => (params.light_offset[i] as f32 + 0.5 + params.jitter[i]) / side as f32 - 0.5,
+    });
+    FrameParams { render_extent: setup.light_of(params.render_extent), jitter, ..*params }
 }
 
 /// The place of a light that is not known.

@@ -205,6 +205,19 @@ inputs! {
 }
 
 impl Input {
+    /// Whether it has the pixels of the light, and not those of the guides, where [`crate::Config::light_extent`] sets them apart.
+    pub(crate) fn is_of_light(&self) -> bool {
+        const OF_LIGHT: [Input; 6] = [
+            Input::SPECULAR_HIT_DISTANCE,
+            Input::SPECULAR_HIT_ID,
+            Input::OCCLUDER_DISTANCE,
+            Input::OCCLUDER_ID,
+            Input::OCCLUDER_MOTION,
+            Input::SCATTERING_DEPTH,
+        ];
+        matches!(self.role, InputRole::Signal | InputRole::Change) || OF_LIGHT.contains(self)
+    }
+
     /// The input of a name.
     pub fn by_name(name: &str) -> Option<&'static Self> {
         Self::ALL.iter().find(|input| input.name == name)

@@ -70,23 +70,26 @@ pub enum Shape {
 pub enum TexelGrid {
     /// One for every square of so many rendered pixels a side: 1, per pixel; 3, per 3×3 stratum.
     Rendered(u32),
+    /// One for every square of so many pixels of the light a side, where it has fewer: [`crate::Config::light_extent`].
+    Light(u32),
     /// One for every pixel of the output: [`crate::Config::output_extent`].
     Output,
 }
 
 impl TexelGrid {
-    /// Columns and rows for an extent that is rendered and one that is put out.
-    pub(crate) fn extent(self, rendered: [u32; 2], output: [u32; 2]) -> [u32; 2] {
+    /// Columns and rows for an extent that is rendered.
+    pub(crate) fn extent(self, setup: &Setup, rendered: [u32; 2]) -> [u32; 2] {
         match self {
             Self::Rendered(side) => rendered.map(|pixels| pixels.div_ceil(side.max(1))),
-            Self::Output => output,
+            Self::Light(side) => setup.light_of(rendered).map(|pixels| pixels.div_ceil(side.max(1))),
+            Self::Output => setup.output_of(rendered),
         }
     }
 }
 
 impl From<u32> for TexelGrid {
     fn from(side: u32) -> Self {
-        Self::Rendered(side)
+        Self::Light(side)
     }
 }
 
@@ -113,7 +116,7 @@ impl ResourceDecl {
     /// Columns and rows of an image for the extents of a setup; `None` for a buffer.
     pub fn extent(&self, setup: &Setup) -> Option<[u32; 2]> {
         match self.shape {
-            Shape::Image { texels, .. } => Some(texels.extent(setup.allocated_extent, setup.largest_output())),
+            Shape::Image { texels, .. } => Some(texels.extent(setup, setup.allocated_extent)),
             Shape::Buffer { .. } => None,
         }
     }

@@ -1,6 +1,6 @@
 //! Settings that are fixed for every frame of a denoiser.
 
-use crate::config::{check_extent, check_output_extent, Config, Conventions};
+use crate::config::{check_extent, check_light_extent, check_output_extent, Config, Conventions};
 use crate::error::Error;
 
 /// The largest [`Setup::frames_in_flight`].
@@ -13,6 +13,8 @@ pub struct Setup {
     pub allocated_extent: [u32; 2],
     /// Width and height of the output; none: those of each frame's render extent. Default: none.
     pub output_extent: Option<[u32; 2]>,
+    /// Width and height of allocated images of light; none: those of the guides. Default: none.
+    pub light_extent: Option<[u32; 2]>,
     /// Frames that you record before you wait for the oldest, 1 to 8. Default: 2.
     pub frames_in_flight: u32,
     /// Encodings of your guides. Default: [`Conventions::default`].
@@ -22,7 +24,8 @@ pub struct Setup {
 impl Setup {
     /// The defaults, for an extent.
     pub fn new(allocated_extent: [u32; 2]) -> Self {
-        Self { allocated_extent, output_extent: None, frames_in_flight: 2, conventions: Conventions::default() }
+        let conventions = Conventions::default();
+        Self { allocated_extent, output_extent: None, light_extent: None, frames_in_flight: 2, conventions }
     }
 
     /// Checks every field.
@@ -32,6 +35,7 @@ impl Setup {
     pub fn validate(&self) -> Result<(), Error> {
         check_extent("Config::allocated_extent", self.allocated_extent)?;
         check_output_extent(self.output_extent, self.allocated_extent)?;
+        check_light_extent(self.light_extent, self.allocated_extent)?;
         let (given, min, max) = (self.frames_in_flight, 1, MAX_FRAMES_IN_FLIGHT);
         if !(min..=max).contains(&given) {
             return Err(Error::Config { name: "frames_in_flight", given, min, max });
@@ -44,6 +48,23 @@ impl Setup {
         self.output_extent.unwrap_or(self.allocated_extent)
     }
 
+    /// Rendered pixels for each pixel of light, along x and y: 1 or 2.
+    pub(crate) fn light_ratio(&self) -> [u32; 2] {
+        let light = self.light_extent.unwrap_or(self.allocated_extent);
+        [0, 1].map(|i| self.allocated_extent[i] / light[i].max(1))
+    }
+
+    /// The pixels of light of a frame.
+    pub(crate) fn light_of(&self, render_extent: [u32; 2]) -> [u32; 2] {
+        let ratio = self.light_ratio();
+        [0, 1].map(|i| render_extent[i].div_ceil(ratio[i].max(1)))
+    }
+
+    /// The light for another allocated extent, in the same ratio.
+    pub(crate) fn light_for(&self, allocated_extent: [u32; 2]) -> Option<[u32; 2]> {
+        self.light_extent.map(|_| self.light_of(allocated_extent))
+    }
+
     /// The output of a frame.
     pub(crate) fn output_of(&self, render_extent: [u32; 2]) -> [u32; 2] {
         self.output_extent.unwrap_or(render_extent)
@@ -53,7 +74,7 @@ impl Setup {
 impl Config {
     /// The settings that are fixed for every frame.
     pub fn setup(&self) -> Setup {
-        let &Self { allocated_extent, output_extent, frames_in_flight, conventions, .. } = self;
-        Setup { allocated_extent, output_extent, frames_in_flight, conventions }
+        let &Self { allocated_extent, output_extent, light_extent, frames_in_flight, conventions, .. } = self;
+        Setup { allocated_extent, output_extent, light_extent, frames_in_flight, conventions }
     }
 }

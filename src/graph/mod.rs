@@ -143,6 +143,16 @@ impl Graph {
         Self { setup: Setup { output_extent, ..self.setup }, ..self }
     }
 
+    /// Sets the size of your noisy images: see [`Config::light_extent`]. Set it before you add nodes. Default: none.
+    pub fn light_extent(self, light_extent: Option<[u32; 2]>) -> Self {
+        Self { setup: Setup { light_extent, ..self.setup }, ..self }
+    }
+
+    /// Whether light has fewer pixels than the guides.
+    pub(crate) fn has_light_extent(&self) -> bool {
+        self.setup.light_ratio() != [1; 2]
+    }
+
     /// Whether the output has a size of its own.
     pub(crate) fn has_output_extent(&self) -> bool {
         self.setup.output_extent.is_some()

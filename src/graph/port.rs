@@ -218,6 +218,15 @@ pub struct Guides {
     pub depth_gradient: Image,
     /// Object-space normal, if you have one; packed, 32 bits.
     pub object_normal: Option<Image>,
+    /// Those of every rendered pixel. They are the same images, unless the light has fewer pixels.
+    pub(crate) rendered: RenderedGuides,
+}
+
+/// Guides of every rendered pixel, of which [`Guides`] has those of the pixels with light.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct RenderedGuides {
+    pub guide: Image,
+    pub surface_motion: Image,
 }
 
 /// The history that the next frame accumulates onto: colour and moments of luminance of every signal.
@@ -273,15 +282,9 @@ pub struct Gradient {
 /// down to 0, and -1 in the background.
 #[derive(Clone, Copy, Debug)]
 pub struct LightRatio {
-    pub(crate) image: Image,
-    pub(crate) stratum_size: u32,
-}
-
-impl LightRatio {
     /// The image.
-    pub fn image(&self) -> Image {
-        self.image
-    }
+    pub image: Image,
+    pub(crate) stratum_size: u32,
 }
 
 /// Luminance that one frame keeps, so that the next one can measure its change.

@@ -127,6 +127,9 @@ impl Graph {
     /// [`Self::input`] with a texel for every `divisor` × `divisor` pixels.
     pub(crate) fn input_per(&mut self, input: Input, divisor: u32) -> Image {
         match input.kind.format() {
+            Some(format) if divisor == 1 && !input.is_of_light() => {
+                self.input_image(input.name, format, TexelGrid::Rendered(1), input.optional)
+            }
             Some(format) => self.input_image(input.name, format, divisor, input.optional),
             None => self.instance_transforms(),
         }
@@ -143,10 +146,10 @@ impl Graph {
         self.input_image(name, HOST_COLOUR, 1, false)
     }
 
-    pub(super) fn input_image(&mut self, name: &str, format: ImageFormat, divisor: u32, optional: bool) -> Image {
+    pub(super) fn input_image(&mut self, name: &str, format: ImageFormat, texels: impl Into<TexelGrid>, optional: bool) -> Image {
         match self.resources.iter().position(|r| r.name == name) {
             Some(index) => self.current(ResourceId(index as u32)),
-            None => self.image(name.to_owned(), format, divisor, Lifetime::Input { optional }),
+            None => self.image(name.to_owned(), format, texels, Lifetime::Input { optional }),
         }
     }
 
@@ -164,7 +167,10 @@ impl Graph {
 
     fn image(&mut self, name: String, format: ImageFormat, texels: impl Into<TexelGrid>, lifetime: Lifetime) -> Image {
         self.claim_name(&name, &name);
-        let texels = texels.into();
+        let texels = match texels.into() {
+            TexelGrid::Light(side) if !self.has_light_extent() => TexelGrid::Rendered(side),
+            texels => texels,
+        };
         let id = self.resource(name, Shape::Image { format, texels }, lifetime);
         self.current(id)
     }

@@ -6,6 +6,7 @@
 #[cfg(test)]
 mod adaptive_history_tests;
 
+use crate::contract::TexelGrid;
 use crate::graph::{Graph, Image, Pass, Port, Value};
 use crate::reference::CpuStage;
 use crate::shaders::Shader;
@@ -54,6 +55,7 @@ stages! {
     gradient_atrous,
     history_confidence,
     import,
+    light_guides,
     modulate,
     percentile_rule,
     reactive_mask,
@@ -63,6 +65,7 @@ stages! {
     temporal_accumulation,
     temporal_upscale,
     tone_map,
+    upsample,
     variance,
     visibility_accumulation,
     visibility_filter,
@@ -104,13 +107,14 @@ impl Graph {
     }
 
     /// An image for every signal of a port.
-    fn image_each<K, L>(&mut self, of: &Port<K>, base: &str, format: crate::ImageFormat, divisor: u32) -> Port<L> {
+    fn image_each<K, L>(&mut self, of: &Port<K>, base: &str, format: crate::ImageFormat, texels: impl Into<TexelGrid>) -> Port<L> {
+        let texels = texels.into();
         let images: Vec<Image> = of
             .images()
             .iter()
             .map(|image| {
                 let label = self.label(*image).to_owned();
-                self.named_image(base, &label, format, divisor, crate::Lifetime::Transient)
+                self.named_image(base, &label, format, texels, crate::Lifetime::Transient)
             })
             .collect();
         Port::of_images(&images).unwrap_or_else(|| of.cast())

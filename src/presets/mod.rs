@@ -87,6 +87,7 @@ impl Config {
         }
         if let Some(accumulated) = accumulated {
             let visibility = visibility(&mut g, &guides, &accumulated);
+            let visibility = g.scope("visibility", |g| g.upsample(&guides, &visibility));
             g.output("denoised_visibility", &visibility);
             surfaces = surfaces.map(|of| Denoised { radiance: g.shadowed_light(&of.radiance, &visibility), ..of });
         }

@@ -319,9 +319,10 @@ fn push_constants(dispatch: &Dispatch, frame: &FrameContext, bindings: &[Binding
 
 /// Workgroups of a dispatch, in x and y.
 fn workgroups(dispatch: &Dispatch, frame: &FrameContext) -> [u32; 2] {
-    let (now, before) = (frame.render_extent, frame.constants.previous_render_extent);
+    let (now, before) = (frame.constants.render_extent, frame.constants.previous_render_extent);
     let [x, y] = match dispatch.grid {
         Grid::Pixels => now,
+        Grid::Guides => frame.render_extent,
         Grid::Strata(side) => [now[0].max(before[0]).div_ceil(side), now[1].max(before[1]).div_ceil(side)],
         Grid::Columns(pixels) => [now[0], now[1].div_ceil(pixels)],
         Grid::Output => frame.output_extent,

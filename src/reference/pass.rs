@@ -105,6 +105,7 @@ impl Declaration {
         let (divisor, pixels) = match shape {
             Shape::Image { texels: TexelGrid::Output, .. } => (1, frame.output_extent),
             Shape::Image { texels: TexelGrid::Rendered(divisor), .. } => (divisor, frame.render_extent),
+            Shape::Image { texels: TexelGrid::Light(divisor), .. } => (divisor, frame.constants.render_extent),
             Shape::Buffer { .. } => (1, frame.render_extent),
         };
         match dispatch.on_cpu().filter(|stage| !stage.rules.is_empty()) {

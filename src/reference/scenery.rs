@@ -58,7 +58,7 @@ impl Instances<'_> {
     /// `None` where neither moves, and where a transform leaves nothing to be seen.
     fn moved(&self, frame: &FrameConstants, mirror: &Mirror, curvature: &Curvature, thing: Vec3) -> Option<Scenery> {
         let thing_to = self.carried(frame, self.hit_id?.at(mirror.p), thing);
-        let mirror_to = self.surface_id.and_then(|ids| self.carried(frame, ids.at(mirror.p), mirror.position));
+        let mirror_to = self.surface_id.and_then(|ids| self.carried(frame, ids.at(frame.guide_pixel(mirror.p)), mirror.position));
         if thing_to.is_none() && mirror_to.is_none() {
             return None;
         }

@@ -43,6 +43,7 @@ fn add_declarations(all: &mut Vec<Declaration>, declare: fn(&Config) -> Declarat
             }
             all.push(declare(&Config { firefly_filter: true, ..config }));
             all.push(declare(&Config { visibility: true, ..config }));
+            all.push(declare(&Config { visibility: true, light_extent: Some([32, 36]), ..config }));
             all.push(declare(&Config { reactive_mask: true, ..config }));
             all.push(declare(&Config { visibility: true, volume: true, float_output: true, ..config }));
             for preset in [Preset::Svgf, Preset::Asvgf, Preset::Percentile, Preset::Fast, Preset::Best, Preset::Eaw] {
@@ -120,7 +121,7 @@ fn what_stands_in_for_a_binding_is_always_there_and_of_its_kind() {
 /// Holds names of bindings to those of the resources at them, but for signals by number, ports of filters and images in place.
 #[test]
 fn names_of_bindings_match_those_of_resources() {
-    const RENAMED: [(&str, &[&str]); 24] = [
+    const RENAMED: [(&str, &[&str]); 26] = [
         ("frame", &["frame_constants"]),
         ("input", &["irradiance", "filled_irradiance", "accumulated", "atrous_", "denoised_volume"]),
         ("output", &["atrous_", "irradiance_history", "denoised_volume"]),
@@ -132,7 +133,9 @@ fn names_of_bindings_match_those_of_resources() {
         ("history", &["irradiance_history"]),
         ("radiance", &["denoised_", "irradiance"]),
         ("denoised_radiance", &["denoised_volume"]),
-        ("filtered", &["atrous_", "irradiance_history"]),
+        ("filtered", &["atrous_", "irradiance_history", "upsampled"]),
+        ("upsampled", &["denoised_visibility"]),
+        ("denoised_visibility", &["filtered_visibility"]),
         ("accumulated", &["irradiance_history"]),
         ("gradient_in", &["gradient"]),
         ("gradient_out", &["gradient_even", "gradient_odd"]),
@@ -248,7 +251,8 @@ fn images_are_unpacked_as_what_they_are() {
     let mut unpackers = BTreeSet::new();
     for (path, text) in glsl_sources() {
         for (unpacker, image) in unpacked_fetches(&text) {
-            let image = image.trim_start_matches("previous_").trim_end_matches("_0").trim_end_matches("_1");
+            let image =
+                image.trim_start_matches("previous_").trim_start_matches("rendered_").trim_end_matches("_0").trim_end_matches("_1");
             let is_unpacker = unpacker.starts_with("unpack") || unpacker.ends_with("Bits");
             let fits = unpacker.strip_prefix("unpack_") == Some(image) || OTHERS.contains(&(unpacker, image));
             assert!(fits || !is_unpacker, "{path}: {image} is unpacked by {unpacker}");

@@ -49,6 +49,7 @@ pub fn config(dice: &mut Dice) -> Config {
         debug_view: dice.coin(),
         // Its frames render any part of the allocation.
         output_extent: None,
+        light_extent: None,
         reactive_mask: dice.coin(),
         conventions,
     }
@@ -109,6 +110,7 @@ fn clip(dice: &mut Dice) -> [[f32; 4]; 4] {
 fn params(dice: &mut Dice, config: &Config, frame: u32) -> FrameParams {
     let [width, height] = config.allocated_extent;
     FrameParams {
+        light_offset: [0; 2],
         frame_slot: frame % config.frames_in_flight,
         reset: (dice.below(8) == 0).then(|| dice.one_of(&ResetReason::ALL)),
         render_extent: if dice.coin() { [width, height] } else { [1 + dice.below(width), 1 + dice.below(height)] },

@@ -5,6 +5,7 @@ mod best;
 mod captured;
 mod debug_view;
 mod import;
+mod light;
 mod specular;
 mod tone_map;
 mod visibility;
@@ -110,6 +111,19 @@ pub const TESTS: &[DeviceTest] = &[
     ("output_of_a_rect_in_a_larger_image", || {
         sequence_of(&Config { output_extent: Some([96, 60]), volume: true, ..svgf([64, 40]) }, [37, 21])
     }),
+    ("light_of_half_the_extent", || light::sequence(&light::half([60, 34]))),
+    ("light_of_half_the_width", || light::sequence(&Config { light_extent: Some([20, 23]), ..light::half([40, 23]) })),
+    ("light_and_output", || light::sequence(&Config { output_extent: Some([90, 34]), ..light::half([60, 34]) })),
+    ("light_of_one_pixel", || light::sequence(&light::half([2, 2]))),
+    ("light_with_object_normals_and_signals_apart", || {
+        light::sequence(&Config { object_normal: true, signals: Signals::Apart, debug_view: true, ..light::half([40, 24]) });
+    }),
+    ("light_with_reflections", || {
+        light::sequence(&Config { signals: Signals::Specular, float_output: true, ..light::half([40, 24]) });
+    }),
+    ("light_of_a_rect_in_a_larger_image", || light::sequence_of(&light::half([64, 40]), [38, 22])),
+    ("light_with_visibility", || light::sequence(&Config { visibility: true, debug_view: true, ..light::half([40, 24]) })),
+    ("light_of_every_preset", light::every_preset),
     ("holes", holes),
     ("best_with_holes", best::with_holes),
 ];

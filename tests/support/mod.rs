@@ -12,7 +12,7 @@ pub use atrous_synthetic::scene::{self, pixels, random, rmse};
 use atrous::config::Preset;
 use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions, Validation};
 use atrous::reference::Engine;
-use atrous::{Config, Error, FrameContext, FrameParams, Tuning};
+use atrous::{Config, Declaration, Error, FrameContext, FrameParams, Tuning};
 use scene::Guides;
 use std::cell::{OnceCell, RefCell};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -103,13 +103,28 @@ pub fn assert_valid() {
 
 /// Uploads what a frame of the synthetic scene has, for the inputs that are declared.
 pub fn upload(session: &mut Session, guides: &Guides) {
+    upload_traced(session, guides, [0; 2]);
+}
+
+/// Of images of light that has fewer pixels, those of an offset in each cell.
+pub fn upload_traced(session: &mut Session, guides: &Guides, offset: [u32; 2]) {
     let declaration = session.executor().denoiser().declaration().clone();
     for (name, texels) in guides.declared(&declaration) {
-        session.upload(name, texels).expect(name);
+        session.upload(name, &traced(&declaration, name, texels, offset)).expect(name);
     }
     if declaration.find("surface_id").is_some() {
         session.upload_ids("surface_id", &guides.surface_id).expect("surface_id");
     }
+}
+
+/// The texels of an image of light that were traced.
+pub fn traced(declaration: &Declaration, name: &str, texels: &[[f32; 4]], offset: [u32; 2]) -> Vec<[f32; 4]> {
+    let [width, height] = declaration.allocated_extent();
+    let resource = declaration.resource(declaration.find(name).expect(name));
+    let [columns, rows] = resource.extent(declaration.setup()).expect("an image");
+    let (x, y) = (width / columns, height / rows);
+    let at = |p: u32, q: u32| texels[((q * y + offset[1] % y) * width + p * x + offset[0] % x) as usize];
+    (0..rows).flat_map(|q| (0..columns).map(move |p| at(p, q))).collect()
 }
 
 /// Gives the CPU engine what [`upload`] gives a session.

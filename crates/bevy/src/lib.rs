@@ -43,7 +43,7 @@ pub enum Source {
 
 /// Denoises what this camera shows. It has a prepass of normals (`NormalPrepass`) or the deferred G-buffer (`DeferredPrepass`, as
 /// `SolariLighting` has), and its viewport is the whole target.
-#[derive(Component, Clone, Debug)]
+#[derive(Component, Clone, Debug, Default)]
 #[require(Hdr, DepthPrepass, MotionVectorPrepass, Msaa, CameraMainTextureUsages)]
 #[component(on_add = prepare_camera)]
 pub struct Denoise {
@@ -57,12 +57,6 @@ pub struct Denoise {
     pub debug_view: Option<DebugView>,
     /// Drops the history in the next frame: set it at a cut of the camera. The plugin takes it back.
     pub reset: bool,
-}
-
-impl Default for Denoise {
-    fn default() -> Self {
-        Self { preset: Preset::default(), tuning: None, source: Source::default(), debug_view: None, reset: false }
-    }
 }
 
 /// Usages of a camera's main texture, which the denoiser reads and writes. [`Denoise`] adds them to its camera, and switches

@@ -308,6 +308,9 @@ typedef enum AtrousCounter {
 // firefly_limits_of_frame(port, percentiles)
 #define ATROUS_NODE_FIREFLY_LIMITS_OF_FRAME "firefly_limits_of_frame"
 
+// upsample(guides, filtered)
+#define ATROUS_NODE_UPSAMPLE "upsample"
+
 // debug_view(guides, noisy, [albedo, history, deviation, confidence, gradient, reflection, visibility, percentiles, limits])
 #define ATROUS_NODE_DEBUG_VIEW "debug_view"
 
@@ -614,6 +617,11 @@ typedef struct AtrousConfig {
   // history was lost, is short, or light changed. Green is the share of its light that is emitted. Only for presets with
   // a history. Costs 8 bytes per pixel and one pass. 0 (false), 1 (true). Default: 0.
   uint32_t reactive_mask;
+  // Width and height of your noisy images, each that of the rendered picture or half of it, which is even then. Guides,
+  // albedo and emission keep the rendered size, and so does the result. In each frame say which pixel you traced:
+  // `FrameParams::light_offset`. Hit and occluder distances and ids, confidence, gradients and forward motion have the
+  // size of the light. None: it has the rendered size. 0, 0 is none. Default: 0, 0.
+  uint32_t light_extent[2];
 } AtrousConfig;
 
 // The device of the passes. Handles stay yours.
@@ -688,6 +696,8 @@ typedef struct AtrousFrameParams {
   // The first four numbers are the place of the light whose visibility you give: x, y, z, 1 of a lamp, or x, y, z, 0 towards a sun,
   // in world space. The others are not read yet. 0: not known.
   float lights[16];
+  // With AtrousConfig.light_extent, the rendered pixel of each cell that light was traced for: 0, or 1 along a halved axis.
+  uint32_t light_offset[2];
 } AtrousFrameParams;
 
 // A buffer for a name.

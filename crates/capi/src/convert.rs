@@ -75,6 +75,7 @@ impl AtrousFrameParams {
             debug_view: choice_or_none("debug_view", self.debug_view)?,
             complete_frames: Some(self.complete_frames).filter(|count| *count != u64::MAX),
             lights: matrix(self.lights),
+            light_offset: self.light_offset,
             ..FrameParams::new([self.render_width, self.render_height])
         })
     }
@@ -96,6 +97,7 @@ impl AtrousFrameParams {
             debug_view: 0,
             complete_frames: u64::MAX,
             lights: [0.0; 16],
+            light_offset: [0; 2],
         }
     }
 }

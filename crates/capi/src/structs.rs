@@ -128,6 +128,8 @@ pub struct AtrousFrameParams {
     /// The first four numbers are the place of the light whose visibility you give: x, y, z, 1 of a lamp, or x, y, z, 0 towards a sun,
     /// in world space. The others are not read yet. 0: not known.
     pub lights: [f32; 16],
+    /// With AtrousConfig.light_extent, the rendered pixel of each cell that light was traced for: 0, or 1 along a halved axis.
+    pub light_offset: [u32; 2],
 }
 
 /// A frame that was begun. Plain data: copy it as you like.

@@ -109,7 +109,7 @@ impl<'a> Scene<'a> {
     /// Names the field of the parameters that is unusable.
     pub fn new(geometry: &Geometry, pair: &'a Pair<'a>) -> Result<Self, Error> {
         let setup = |guides: &Guides| Setup { conventions: geometry.conventions, ..Setup::new(guides.depth.extent()) };
-        let frame = |params: &FrameParams| FrameParams { frame_slot: 0, ..*params };
+        let frame = |params: &FrameParams| FrameParams { frame_slot: 0, light_offset: [0; 2], ..*params };
         let mut state = FrameState::default();
         let first = state.begin(&setup(pair.previous), &frame(&geometry.previous), &Tuning::default())?.constants;
         let second = state.begin(&setup(pair.current), &frame(&geometry.current), &Tuning::default())?.constants;

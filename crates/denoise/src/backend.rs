@@ -6,6 +6,7 @@ use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions}
 use atrous::reference::Engine;
 use atrous::{Config, DebugView, Declaration, Error, FrameParams, HistoryLoss, HistoryWatch, Lifetime, Shape, Statistics, Tuning};
 use atrous_lab::pictures::Picture;
+use std::borrow::Cow;
 use std::sync::Arc;
 
 /// Result of a frame.
@@ -139,9 +140,12 @@ impl Passes {
                 "occluder_id" => frame.occluder_id.as_ref(),
                 _ => None,
             };
-            match (ids, frame.images.get(name.as_str()), transforms) {
-                (Some(ids), ..) => self.runner.upload_ids(&name, ids)?,
-                (_, Some(texels), _) if is_image => self.runner.upload(&name, texels)?,
+            let ids = ids.map(|ids| traced(self.runner.declaration(), &name, ids, frame.params.light_offset));
+            let texels = frame.images.get(name.as_str()).filter(|_| is_image);
+            let texels = texels.map(|texels| traced(self.runner.declaration(), &name, texels, frame.params.light_offset));
+            match (ids, texels, transforms) {
+                (Some(ids), ..) => self.runner.upload_ids(&name, &ids)?,
+                (_, Some(texels), _) => self.runner.upload(&name, &texels)?,
                 (.., Some(transforms)) => self.runner.upload_buffer(&name, bytemuck::cast_slice(transforms))?,
                 // A required one that is absent is named when the frame runs.
                 _ if optional => self.runner.unbind(&name)?,
@@ -194,6 +198,21 @@ impl Backend for Passes {
         }
         Ok(outputs)
     }
+}
+
+/// Texels of an input: of light that has fewer pixels, those that were traced.
+fn traced<'a, T: Copy>(declaration: &Declaration, name: &str, texels: &'a [T], offset: [u32; 2]) -> Cow<'a, [T]> {
+    let [width, height] = declaration.allocated_extent();
+    let extent = declaration.find(name).and_then(|id| declaration.resource(id).extent(declaration.setup()));
+    let Some([columns, rows]) = extent.filter(|_| texels.len() == width as usize * height as usize) else { return texels.into() };
+    if [columns, rows] == [width, height] || columns * 2 < width || rows * 2 < height {
+        return texels.into();
+    }
+    // An offset beyond a cell is refused when the frame runs.
+    let ratio = [width / columns, height / rows];
+    let at = |x: u32, y: u32| (y * ratio[1] + offset[1] % ratio[1]) * width + x * ratio[0] + offset[0] % ratio[0];
+    let picked = (0..rows).flat_map(|y| (0..columns).map(move |x| at(x, y)));
+    picked.filter_map(|pixel| texels.get(pixel as usize).copied()).collect()
 }
 
 /// Name, shape and whether it is optional, of every input.

@@ -33,6 +33,8 @@ pub struct Camera {
     pub reshaded: bool,
     /// Places of the lights whose visibility the frames have.
     pub lights: [[f32; 4]; 4],
+    /// The pixel of the guides in each cell that light of fewer pixels was traced for.
+    pub offset: [u32; 2],
     /// Tunables that are not those of the sequence.
     pub tuning: BTreeMap<String, f32>,
 }
@@ -88,6 +90,8 @@ struct JsonFrame {
     #[serde(default)]
     lights: [[f32; 4]; 4],
     #[serde(default)]
+    offset: [u32; 2],
+    #[serde(default)]
     tuning: BTreeMap<String, f32>,
 }
 
@@ -139,6 +143,7 @@ pub fn parse(path: &Path, text: &str) -> Result<SequenceFile> {
             reset: frame.reset,
             reshaded: frame.reshaded,
             lights: frame.lights,
+            offset: frame.offset,
             tuning: of_today(frame.tuning).map_err(problem)?,
         };
         if cameras.insert(number, camera).is_some() {

@@ -71,6 +71,11 @@ pub struct Cli {
     #[arg(long, value_name = "SIZE", value_parser = size, conflicts_with_all = ["score", "strip", "report", "keep_layers"])]
     pub output_size: Option<[u32; 2]>,
 
+    /// Folder with the guides of FRAMES, whose light has half as many columns or rows, or both; names of results are those of guides.
+    /// `offset` in the sequence.json of FRAMES names the pixel of each cell that was traced, such as [1, 0]
+    #[arg(long, value_name = "FOLDER")]
+    pub guides: Option<PathBuf>,
+
     /// Keep the other layers and parts of the input in the result, such as cryptomattes
     #[arg(long)]
     pub keep_layers: bool,

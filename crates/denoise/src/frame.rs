@@ -69,7 +69,8 @@ pub fn channels<'a>(files: &FrameFiles, setup: &'a Setup) -> Result<(Channels<'a
     let is_wanted = |role: Role| reshaded || !is_about_previous(role);
     let roles = setup.mapping.roles.iter().filter(|(role, _)| is_wanted(**role));
     let wanted: BTreeSet<&str> = roles.flat_map(|(_, names)| names).map(String::as_str).collect();
-    let first = First { extent: setup.config.allocated_extent, reading: memory::reading_limit(setup) };
+    let first =
+        First { extent: setup.config.allocated_extent, light: setup.config.light_extent, reading: memory::reading_limit(setup) };
     let planes = frame_source::read(files, &first, |name| wanted.contains(name))?;
     // The reference may be sparse: rendering it takes long.
     let optional = |role: Role| is_about_previous(role) || role == Role::Reference;
@@ -109,7 +110,7 @@ pub fn load(files: &FrameFiles, setup: &Setup) -> Result<FrameInputs> {
     let mut inputs = FrameInputs {
         number: files.number,
         index: camera.map_or(files.number / setup.step, |camera| camera.index),
-        params: params(setup, camera),
+        params: FrameParams { light_offset: setup.light_offset(files.number), ..params(setup, camera) },
         tuning: setup.tuning(files.number)?,
         instance_transforms: transforms(&files.colour)?,
         images,

@@ -15,6 +15,26 @@ pub struct FrameFiles {
     pub colour: PathBuf,
     /// Files of their own for guides: layer that their channels get (`albedo`, `normal`, ...) and path.
     pub guides: Vec<(&'static str, PathBuf)>,
+    /// File with light of fewer pixels, where the colour has none: `--guides`.
+    pub light: Option<PathBuf>,
+}
+
+impl FrameFiles {
+    /// Frames of guides, with those of light of the same numbers.
+    ///
+    /// # Errors
+    /// A frame without guides.
+    pub fn with_guides(light: Vec<Self>, guides: Vec<Self>, folder: &Path) -> Result<Vec<Self>> {
+        let mut guides: BTreeMap<u64, Self> = guides.into_iter().map(|frame| (frame.number, frame)).collect();
+        let paired = |frame: Self| match guides.remove(&frame.number) {
+            Some(of) => Ok(Self { light: Some(frame.colour), ..of }),
+            None => {
+                let problem = format!("has no frame {}, of which {} is the light", frame.number, frame.colour.display());
+                Err(ToolError::Sequence { path: folder.to_owned(), problem })
+            }
+        };
+        light.into_iter().map(paired).collect()
+    }
 }
 
 /// The frames of a run.
@@ -170,8 +190,12 @@ impl Sorted {
                 guides.entry(file.number).or_default().push((layer, file.path));
             }
         }
-        let frame =
-            |Named { number, path, .. }| FrameFiles { number, colour: path, guides: guides.remove(&number).unwrap_or_default() };
+        let frame = |Named { number, path, .. }| FrameFiles {
+            number,
+            colour: path,
+            guides: guides.remove(&number).unwrap_or_default(),
+            light: None,
+        };
         let unused = self.unused.iter().map(Stem::pattern).collect();
         Found { frames: self.colours.into_iter().map(frame).collect(), unused }
     }

@@ -29,6 +29,10 @@ pub struct Setup {
     pub config: Config,
     /// Cameras.
     pub sequence: Option<SequenceFile>,
+    /// The file beside the light, where it has fewer pixels than the guides.
+    light: Option<SequenceFile>,
+    /// Width and height of that light.
+    light_extent: Option<[u32; 2]>,
     /// Pixels whose samples are kept, where not all.
     pub keep_samples: Option<Pattern>,
     /// Lines to print.
@@ -69,7 +73,14 @@ impl Setup {
         if let Some((path, file)) = &sequence {
             check_cameras(path, file, frames)?;
         }
+        let light_extent = frame_source::light_extent(first)?;
+        let light = match &first.light {
+            Some(light) => camera::find(None, light.parent().unwrap_or(Path::new(".")))?,
+            None => None,
+        };
         let mut setup = Self {
+            light: light.map(|(_, file)| file),
+            light_extent,
             config: Config::new(header.extent),
             mapping,
             keep_samples: options.keep_samples,
@@ -98,6 +109,7 @@ impl Setup {
         let mut config = Config::new(self.header.extent);
         config.frames_in_flight = 1;
         config.output_extent = options.output_size;
+        config.light_extent = self.light_extent;
         config.surface_id = mapping.has(Role::Id);
         config.object_normal = mapping.has(Role::ObjectNormal);
         config.gradient_source = gradient_source(mapping);
@@ -195,6 +207,11 @@ impl Setup {
     /// The size of the results, where not that of the frames.
     pub fn output_size(&self) -> Option<OutputSize> {
         self.config.output_extent.map(|result| OutputSize::new(self.config.allocated_extent, result))
+    }
+
+    /// The pixel of each cell that the light of a frame was traced for.
+    pub fn light_offset(&self, number: u64) -> [u32; 2] {
+        self.light.as_ref().and_then(|file| file.cameras.get(&number)).map_or([0; 2], |camera| camera.offset)
     }
 
     /// Pixels of a frame.

@@ -29,7 +29,12 @@ pub fn run(cli: &Cli) -> Result<()> {
     if cli.step == Some(0) {
         return Err(ToolError::Usage("--step is 0; it must be at least 1".into()));
     }
-    let Found { frames, unused } = frame_files::search(&cli.frames, cli.step.unwrap_or(1))?;
+    let step = cli.step.unwrap_or(1);
+    let Found { mut frames, unused } = frame_files::search(&cli.frames, step)?;
+    if let Some(folder) = &cli.guides {
+        let guides = frame_files::search(std::slice::from_ref(folder), step)?.frames;
+        frames = FrameFiles::with_guides(frames, guides, folder)?;
+    }
     let mut setup = Setup::new(&frames, &cli.options())?;
     let first = frames[0].colour.clone();
     if cli.check {

@@ -89,8 +89,9 @@ fn conventions(choices: &mut Choices<'_>) -> Conventions {
 }
 
 fn configured(choices: &mut Choices<'_>) -> Result<Declaration, Error> {
+    let allocated_extent = extent(choices);
     let config = Config {
-        allocated_extent: extent(choices),
+        allocated_extent,
         frames_in_flight: number(choices, 2),
         preset: choice(choices),
         signals: choice(choices),
@@ -110,6 +111,7 @@ fn configured(choices: &mut Choices<'_>) -> Result<Declaration, Error> {
         float_output: choices.one_in(4),
         debug_view: choices.one_in(2),
         output_extent: choices.one_in(2).then(|| extent(choices)),
+        light_extent: choices.one_in(4).then(|| allocated_extent.map(|side| side / 2)),
         reactive_mask: choices.one_in(2),
         conventions: conventions(choices),
     };

@@ -49,7 +49,7 @@ impl Barrier {
     }
 
     /// Source and destination family where the barrier transfers ownership.
-    pub fn queue_families(&self) -> Option<[u32; 2]> {
+    pub(crate) fn queue_families(&self) -> Option<[u32; 2]> {
         let families = [self.from.queue_family, self.to.queue_family];
         let transfers = families[0] != families[1] && !families.contains(&vk::QUEUE_FAMILY_IGNORED) && !self.discard;
         transfers.then_some(families)

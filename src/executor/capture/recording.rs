@@ -38,7 +38,7 @@ impl Executor {
         let shape = self.denoiser.declaration().resource(id).shape;
         let Some(&object) = self.memory.storages.object(id, 0) else { return Ok(()) };
         let texels = if let Shape::Image { texels, .. } = shape { texels } else { TexelGrid::Rendered(1) };
-        let extent = texels.extent(frame.render_extent, frame.output_extent);
+        let extent = texels.extent(self.denoiser.declaration().setup(), frame.render_extent);
         let (format, bytes) = match object {
             Object::Image(image @ StoredImage { format, .. }) => {
                 (format, extent[0] as usize * extent[1] as usize * image.texel_bytes(name)? as usize)

@@ -4,7 +4,7 @@
 use crate::nodes::block_difference::twin::{unpack_difference, LOUD};
 use crate::nodes::percentile_rule::twin::lin;
 use crate::reference::bindings::Bindings;
-use crate::reference::blocks::{block_of, Blocks};
+use crate::reference::blocks::{block_of, Blocks, BLOCK_SIZE};
 use crate::reference::compare::{Reading, Rule, Unit};
 use crate::reference::rules::{pixels, rule, STEEP};
 use crate::reference::Image;
@@ -39,7 +39,7 @@ pub(crate) fn change_test(
     block_difference: &[&Image<[u16; 4]>],
 ) -> ChangeTestOutputs {
     let blocks = Blocks::new(frame.render_extent);
-    let changes = Image::compute(blocks.extent(), blocks.extent(), |block| {
+    let changes = Image::compute(extent.map(|side| side.div_ceil(BLOCK_SIZE)), blocks.extent(), |block| {
         let of_signals = block_difference.iter().map(|differences| change_of(tuning, blocks, differences, block));
         of_signals.fold(Change::default(), |worst, change| Change {
             of_mean: worst.of_mean.max(change.of_mean),

@@ -213,7 +213,7 @@ impl DebugViewInputs<'_> {
         if texel[..3].iter().any(|c| !c.is_finite()) {
             return 0.0;
         }
-        let (divisor, _) = divisor(self.albedo.map(|a| a.at(p)));
+        let (divisor, _) = divisor(self.albedo.map(|a| a.at(frame.guide_pixel(p))));
         let texel = exposed(frame, texel);
         let l = texel_luminance([0, 1, 2, 3].map(|i| (texel[i] / divisor.get(i).unwrap_or(&1.0)).clamp(0.0, LARGEST_HALF)));
         let limit = limit_at(self.firefly_limits[signal], p).limit;

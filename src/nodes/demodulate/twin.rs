@@ -92,8 +92,9 @@ pub(crate) fn albedo_at(
     specular_f0: Option<&Image<[f32; 4]>>,
     p: IVec2,
 ) -> Option<[f32; 4]> {
-    let given = albedo.map(|albedo| albedo.at(p));
-    let computed = || specular_f0.map(|f0| specular_albedo_from(frame, f0.at(p), p, surface));
+    let traced = frame.guide_pixel(p);
+    let given = albedo.map(|albedo| albedo.at(traced));
+    let computed = || specular_f0.map(|f0| specular_albedo_from(frame, f0.at(traced), p, surface));
     given.or_else(computed).filter(|_| !surface.is_background())
 }
 
@@ -111,7 +112,10 @@ pub(crate) fn demodulate(frame: &FrameConstants, tuning: &Tuning, inputs: &Demod
     let extent = inputs.guide.extent();
     let divisors = Image::compute(extent, frame.render_extent, |p| {
         let surface = unpack_guide(inputs.guide.at(p));
-        let f0 = inputs.specular_f0.filter(|_| inputs.albedo.is_none() && !surface.is_background()).map(|f0| f0.at(p));
+        let f0 = inputs
+            .specular_f0
+            .filter(|_| inputs.albedo.is_none() && !surface.is_background())
+            .map(|f0| f0.at(frame.guide_pixel(p)));
         let is_f0_bad = f0.is_some_and(|f0| f0[..3].iter().any(|c| !c.is_finite()));
         let (divisor, is_bad) = divisor(albedo_at(frame, &surface, inputs.albedo, inputs.specular_f0, p));
         (divisor, is_bad || is_f0_bad)
@@ -170,7 +174,7 @@ pub(crate) fn luminances(
     Image::compute(guide.extent(), frame.render_extent, |p| {
         let is_background = unpack_guide(guide.at(p)).is_background();
         let l = kept_radiance(frame, noisy, p).map(|radiance| luminance(radiance).min(LARGEST_HALF));
-        let (a, _) = divisor(albedo.filter(|_| !is_background).map(|albedo| albedo.at(p)));
+        let (a, _) = divisor(albedo.filter(|_| !is_background).map(|albedo| albedo.at(frame.guide_pixel(p))));
         (l, luminance(a))
     })
 }

@@ -133,7 +133,7 @@ fn next_candidate(
     let index = s.x as u32 + s.y as u32 * strata.count().x;
     let chosen = pcg(index.wrapping_add(pcg(frame.frame_index.wrapping_add(CANDIDATE_SALT)))) % others.len() as u32;
     let pixel = others[chosen as usize];
-    let id = ids.map_or(u32::MAX, |ids| ids.at(pixel));
+    let id = ids.map_or(u32::MAX, |ids| ids.at(frame.guide_pixel(pixel)));
     [pixel.x as u16, pixel.y as u16, id as u16, (id >> 16) as u16]
 }
 

@@ -5,8 +5,8 @@
 pub(crate) mod twin;
 
 use super::pass;
-use crate::contract::{Input, Lifetime, Phase};
-use crate::graph::{Graph, Guides, PACKED_32, PACKED_64};
+use crate::contract::{Grid, Input, Lifetime, Phase, TexelGrid};
+use crate::graph::{Graph, Guides, RenderedGuides, PACKED_32, PACKED_64};
 use crate::shaders;
 
 /// Parameters of the node `import`. [`Graph::conventions`] has the encodings of your images.
@@ -34,14 +34,18 @@ impl Graph {
     /// `object_normal`, optional `albedo`.
     pub fn import(&mut self, import: Import) -> Guides {
         let node = self.node("import", "");
-        let guide = self.named_image("guide", "", PACKED_64, 1, Lifetime::Transient);
-        let surface_motion = self.named_image("surface_motion", "", PACKED_64, 1, Lifetime::Transient);
-        let depth_gradient = self.named_image("depth_gradient", "", PACKED_32, 1, Lifetime::Transient);
-        let object_normal =
-            import.object_normal.then(|| self.named_image("object_normal_guide", "", PACKED_32, 1, Lifetime::Transient));
+        let each = TexelGrid::Rendered(1);
+        // The names without it are those of the light, which the filters read.
+        let prefix = if self.has_light_extent() { "rendered_" } else { "" };
+        let mut image = |name: &str, format| self.named_image(&format!("{prefix}{name}"), "", format, each, Lifetime::Transient);
+        let guide = image("guide", PACKED_64);
+        let surface_motion = image("surface_motion", PACKED_64);
+        let depth_gradient = image("depth_gradient", PACKED_32);
+        let object_normal = import.object_normal.then(|| image("object_normal_guide", PACKED_32));
         let module = [&shaders::IMPORT_SURFACE_ID_0, &shaders::IMPORT_SURFACE_ID_1][usize::from(import.surface_id)];
         let mut pass = pass(&node, module)
             .phase(Phase::BeforeLighting)
+            .grid(Grid::Guides)
             .bind("depth", self.input(Input::DEPTH))
             .bind("normal", self.input(Input::NORMAL))
             .bind("motion", self.input(Input::MOTION))
@@ -61,11 +65,9 @@ impl Graph {
             pass = pass.bind("object_normal", self.input(Input::OBJECT_NORMAL));
         }
         self.add(pass);
-        Guides {
-            guide: self.refreshed(guide),
-            surface_motion: self.refreshed(surface_motion),
-            depth_gradient: self.refreshed(depth_gradient),
-            object_normal: object_normal.map(|image| self.refreshed(image)),
-        }
+        let [guide, surface_motion, depth_gradient] = [guide, surface_motion, depth_gradient].map(|image| self.refreshed(image));
+        let object_normal = object_normal.map(|image| self.refreshed(image));
+        let rendered = RenderedGuides { guide, surface_motion };
+        self.light_guides(Guides { guide, surface_motion, depth_gradient, object_normal, rendered })
     }
 }

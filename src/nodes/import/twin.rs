@@ -229,7 +229,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         instance_transforms: transforms.as_deref(),
         ..ImportInputs::new(b.colour("depth")?, b.colour("normal")?)
     };
-    let outputs = import(b.frame, &inputs);
+    let outputs = import(&b.frame.of_guides(), &inputs);
     b.count(&outputs.statistics)?;
     b.write("guide", outputs.guide)?;
     b.write("surface_motion", outputs.surface_motion)?;

@@ -5,7 +5,7 @@
 pub(crate) mod twin;
 
 use super::pass;
-use crate::contract::{Input, Lifetime};
+use crate::contract::{Grid, Input, Lifetime, TexelGrid};
 use crate::graph::{Graph, Guides, Irradiance, Port, Radiance, HDR, WIDE_HDR};
 use crate::shaders;
 
@@ -31,7 +31,7 @@ impl Default for Modulate {
 }
 
 impl Graph {
-    /// Radiance of the sum of one or two signals.
+    /// Radiance of the sum of one or two signals, each with an irradiance for every rendered pixel.
     pub fn modulate(&mut self, guides: &Guides, filtered: &Irradiance, modulate: Modulate) -> Radiance {
         let label = self.label_of(filtered);
         let node = self.node("modulate", &label);
@@ -39,9 +39,16 @@ impl Graph {
             true => (&shaders::MODULATE_FLOAT_1, WIDE_HDR),
             false => (&shaders::MODULATE_FLOAT_0, HDR),
         };
-        let denoised = self.named_image("modulated", &label, format, 1, Lifetime::Transient);
-        let mut pass =
-            pass(&node, module).bind("guide", guides.guide).bind("denoised_radiance", denoised).each("filtered", filtered.images());
+        if filtered.images().iter().any(|image| matches!(self.texels_of(*image), Some(TexelGrid::Light(_)))) {
+            let problem = "it has the pixels of the light, not of the guides; give it to `upsample` first";
+            self.fail(&node, "filtered", problem.to_owned());
+        }
+        let denoised = self.named_image("modulated", &label, format, TexelGrid::Rendered(1), Lifetime::Transient);
+        let mut pass = pass(&node, module)
+            .grid(Grid::Guides)
+            .bind("guide", guides.rendered.guide)
+            .bind("denoised_radiance", denoised)
+            .each("filtered", filtered.images());
         if modulate.albedo {
             pass = pass.bind("albedo", self.input(Input::ALBEDO));
         }

@@ -92,7 +92,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         emission: b.optional_colour("emission")?,
         outgoing: Outgoing::of(b)?,
     };
-    let outputs = modulate(b.frame, &inputs);
+    let outputs = modulate(&b.frame.of_guides(), &inputs);
     b.count(&outputs.statistics)?;
     b.write("denoised_radiance", outputs.denoised_radiance)
 }

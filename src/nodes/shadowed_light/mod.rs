@@ -5,7 +5,7 @@
 pub(crate) mod twin;
 
 use super::pass;
-use crate::contract::Input;
+use crate::contract::{Grid, Input};
 use crate::graph::{Graph, Port, Radiance, Visibility, WIDE_HDR};
 use crate::shaders;
 
@@ -18,6 +18,7 @@ impl Graph {
         let is_wide = self.format_of(radiance.image()) == Some(WIDE_HDR);
         let module = if is_wide { &shaders::SHADOWED_LIGHT_FLOAT_1 } else { &shaders::SHADOWED_LIGHT_FLOAT_0 };
         let pass = pass(&node, module)
+            .grid(Grid::Guides)
             .bind("denoised_visibility", visibility.image())
             .bind("unshadowed_direct", self.input(Input::UNSHADOWED_DIRECT))
             .bind("radiance", radiance.image());

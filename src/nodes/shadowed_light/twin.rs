@@ -38,7 +38,8 @@ pub(crate) const RULES: &[Rule] = &[STATISTICS, pixels("radiance", HALF)];
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let radiance = b.colour("radiance")?;
     let Some(light) = b.optional_colour("unshadowed_direct")? else { return b.write("radiance", radiance.clone()) };
-    let (sum, statistics) = shadowed_light(b.frame, radiance, light, b.scalar("denoised_visibility")?, Outgoing::of(b)?);
+    let (sum, statistics) =
+        shadowed_light(&b.frame.of_guides(), radiance, light, b.scalar("denoised_visibility")?, Outgoing::of(b)?);
     b.count(&statistics)?;
     b.write("radiance", sum)
 }

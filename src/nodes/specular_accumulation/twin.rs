@@ -135,8 +135,8 @@ impl<'a> Scene<'a> {
 impl Scene<'_> {
     fn accumulated(&self, p: IVec2) -> ([f32; 4], LuminanceHistory, SeenReflection, Option<f32>, bool) {
         let [r, g, b, own_distance] = self.inputs.noisy.at(p);
-        let roughness =
-            roughness_of(self.frame, self.inputs.roughness.map_or(1.0, |image| image.at(p)[roughness_channel(self.frame)]));
+        let stored = self.inputs.roughness.map(|image| image.at(self.frame.guide_pixel(p))[roughness_channel(self.frame)]);
+        let roughness = roughness_of(self.frame, stored.unwrap_or(1.0));
         let surface = self.motion.surfaces.at(p);
         let noisy = [r, g, b, own_distance];
         let with = |(texel, luminance_history), seen, share| (texel, luminance_history, seen, share, false);

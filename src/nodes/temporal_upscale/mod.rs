@@ -35,9 +35,9 @@ impl Graph {
             .grid(Grid::Output)
             .each("radiance", radiance.images())
             .bind_some("albedo", self.given(Input::ALBEDO))
-            .bind("guide", guides.guide)
-            .previous("previous_guide", guides.guide)
-            .bind("surface_motion", guides.surface_motion)
+            .bind("guide", guides.rendered.guide)
+            .previous("previous_guide", guides.rendered.guide)
+            .bind("surface_motion", guides.rendered.surface_motion)
             .previous("previous_history", history)
             .bind("upscale_history", history)
             .bind("upscaled_radiance", upscaled);

@@ -356,7 +356,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         tone_mapped: b.is_on("SHOWN")?,
         previous: Some((b.packed("previous_guide")?, b.colour("previous_history")?)),
     };
-    let upscaled = temporal_upscale(b.frame, b.tuning, b.extent_of("upscaled_radiance")?, Outgoing::of(b)?, &inputs);
+    let upscaled = temporal_upscale(&b.frame.of_guides(), b.tuning, b.extent_of("upscaled_radiance")?, Outgoing::of(b)?, &inputs);
     b.write("upscale_history", upscaled.history)?;
     b.write("upscaled_radiance", upscaled.picture)
 }

@@ -36,7 +36,7 @@ pub(crate) const RULES: &[Rule] = &[pixels("tone_mapped", HALF)];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
-    let pixels = if b.is_on("OUTPUT")? { b.frame.output_extent } else { b.frame.render_extent };
+    let pixels = if b.is_on("OUTPUT")? { b.frame.output_extent } else { b.frame.guide_extent };
     let mapped = tone_map(pixels, b.tuning, &b.colours("radiance")?);
     b.write("tone_mapped", mapped)
 }

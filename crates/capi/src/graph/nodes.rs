@@ -135,6 +135,7 @@ nodes! {
         gradient(guides, noisy) [source, samples, stratum_size];
         gradient_and_ratio(guides, noisy) [source, samples, stratum_size];
         firefly_limits_of_frame(port, percentiles) [];
+        upsample(guides, filtered) [];
         debug_view(guides, noisy) [albedo, history, deviation, confidence, gradient, reflection, visibility, percentiles, limits];
     }
 }
@@ -206,6 +207,11 @@ fn firefly_limits_of_frame(graph: &mut Graph, arguments: &mut Arguments<'_>) -> 
     let (port, percentiles) = (arguments.any("port")?, arguments.port("percentiles")?);
     let limits = port.firefly_limits(graph, &percentiles);
     limits.map(Value::FireflyLimits).ok_or_else(|| not_a_port("firefly_limits_of_frame", "port", &port))
+}
+
+fn upsample(graph: &mut Graph, arguments: &mut Arguments<'_>) -> Result<Value, Failure> {
+    let (guides, filtered) = (arguments.port("guides")?, arguments.any("filtered")?);
+    filtered.upsample(graph, &guides).ok_or_else(|| not_a_port("upsample", "filtered", &filtered))
 }
 
 fn debug_view(graph: &mut Graph, arguments: &mut Arguments<'_>) -> Result<Value, Failure> {

@@ -76,6 +76,14 @@ macro_rules! values {
                 }
             }
 
+            /// The same signals for each rendered pixel.
+            pub(super) fn upsample(&self, graph: &mut Graph, guides: &Guides) -> Option<Self> {
+                match self {
+                    $(Self::$port(port) => Some(Self::$port(graph.upsample(guides, port))),)+
+                    _ => None,
+                }
+            }
+
             /// Makes an output of it; `false` where the value is none that has one image.
             pub(super) fn output(&self, graph: &mut Graph, name: &str) -> bool {
                 match self {
@@ -215,7 +223,7 @@ impl Value {
                 let ratio = gradient.light_ratio().map(|ratio| ("light_ratio", ratio.into()));
                 std::iter::once(("image", gradient.image().into())).chain(ratio).collect()
             }
-            Self::LightRatio(ratio) => vec![("image", ratio.image().into())],
+            Self::LightRatio(ratio) => vec![("image", ratio.image.into())],
             Self::GradientSamples(samples) => vec![("image", samples.image().into())],
             Self::ChangeTest(test) => {
                 let steadiness = test.steadiness.map(|steadiness| ("steadiness", steadiness.into()));

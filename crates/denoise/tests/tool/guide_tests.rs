@@ -1,8 +1,8 @@
 //! Guides and parts of the light that are noise, or that lack something.
 
-use super::look_tests::{folder, looked_at, written};
+use super::look_tests::{folder, looked_at, red, written};
 use crate::samples::scene::{Frame, Scene};
-use crate::samples::{self, frame_path};
+use crate::samples::{self, frame_path, Sample, Type};
 use atrous_denoise::roles::Role;
 use atrous_denoise::setup::{Options, Setup};
 use atrous_denoise::{first_look, frame, frame_files};
@@ -101,4 +101,60 @@ fn a_lobe_is_no_albedo() {
     assert!(!lobe.mapping.has(Role::Albedo) && note.is_some_and(|line| line.ends_with("left out")), "{:?}", lobe.report);
     // One is within range, and the other a wrong number that is the same all over the ball.
     assert!(with(1.0, 8).mapping.has(Role::Albedo) && with(2.0, 0).mapping.has(Role::Albedo));
+}
+
+/// Frames of light of half the size of their guides, with the pixel that was traced.
+fn light_and_guides(offset: &str) -> [tempfile::TempDir; 2] {
+    let [light, guides] = [folder(), folder()];
+    let cameras = super::layout_tests::cameras(&[0.0; 3]);
+    std::fs::write(guides.path().join("sequence.json"), &cameras).expect("a file");
+    let traced = cameras.replace(r#""view""#, &format!(r#""offset": {offset}, "view""#));
+    std::fs::write(light.path().join("sequence.json"), traced).expect("a file");
+    for number in 0..3 {
+        // Of the light on a print of black and white columns the albedo says which column it fell on.
+        let columns = |x: i32, _: i32| if x % 2 == 0 { 0.2 } else { 0.8 };
+        let mut of_guides = samples::frame(number);
+        of_guides.channels.retain(|(name, ..)| ["depth", "normal", "mv", "id", "prevz"].iter().any(|part| name.starts_with(part)));
+        let of_guides =
+            ["R", "G", "B"].iter().fold(of_guides, |sample, c| sample.channel(&format!("albedo.{c}"), Type::Half, columns));
+        of_guides.write(&frame_path(guides.path(), number));
+        Sample::new(samples::WIDTH / 2, samples::HEIGHT / 2)
+            .flat("noisy.R noisy.G noisy.B", Type::Half, 0.4)
+            .write(&frame_path(light.path(), number));
+    }
+    [light, guides]
+}
+
+#[test]
+fn light_of_fewer_pixels_has_its_guides_elsewhere() {
+    // Light of 0.4 on an albedo of 0.2 is an irradiance of 2, and on one of 0.8 of 0.5.
+    for (offset, [even, odd]) in [("[0, 1]", [0.4, 1.6]), ("[1, 0]", [0.1, 0.4])] {
+        let ([light, guides], output) = (light_and_guides(offset), folder());
+        let guides = guides.path().to_str().expect("UTF-8");
+        samples::denoise(light.path(), output.path(), &["--preset", "eaw", "--guides", guides]).expect("a run");
+        let result = red(&frame_path(output.path(), 2));
+        assert_eq!(result.len(), samples::WIDTH * samples::HEIGHT, "the size of the guides");
+        let is_right = |(i, value): (usize, &f32)| (value - if i % 2 == 0 { even } else { odd }).abs() < 0.01;
+        assert!(result.iter().enumerate().all(is_right), "{offset}: {:?}", &result[..4]);
+    }
+}
+
+#[test]
+fn light_that_does_not_fit_its_guides_is_refused() {
+    let run = |[light, guides]: &[tempfile::TempDir; 2]| {
+        let guides = guides.path().to_str().expect("UTF-8");
+        samples::denoise(light.path(), folder().path(), &["--preset", "eaw", "--guides", guides]).expect_err("refused").to_string()
+    };
+    let beyond = run(&light_and_guides("[0, 2]"));
+    assert!(beyond.contains("[0, 2]") && beyond.contains("light_offset"), "{beyond}");
+    let folders = light_and_guides("[0, 0]");
+    std::fs::remove_file(frame_path(folders[1].path(), 2)).expect("a file");
+    let missing = run(&folders);
+    assert!(missing.contains("has no frame 2"), "{missing}");
+    let folders = light_and_guides("[0, 0]");
+    for number in 0..3 {
+        Sample::new(10, 6).flat("noisy.R noisy.G noisy.B", Type::Half, 0.4).write(&frame_path(folders[0].path(), number));
+    }
+    let third = run(&folders);
+    assert!(third.contains("[10, 6]") && third.contains("half"), "{third}");
 }

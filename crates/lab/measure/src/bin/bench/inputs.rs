@@ -38,12 +38,17 @@ pub fn complete(set: &mut InputSet, session: &mut Session, content: Content, fra
 }
 
 fn missing(set: &InputSet, declaration: &Declaration) -> Vec<Image> {
+    let setup = declaration.setup();
     let wanted = declaration.resources().iter().filter(|r| matches!(r.lifetime, Lifetime::Input { .. }) && is_given(r));
     let lacking = wanted.filter(|r| !set.contains(&r.name));
     lacking
         .filter_map(|r| match r.shape {
             Shape::Image { format, texels: TexelGrid::Rendered(side) } => {
                 Some(Image { name: r.name.clone(), format: format.preferred(), side })
+            }
+            Shape::Image { format, texels: TexelGrid::Light(side) } => {
+                let ratio = setup.light_extent.map_or(1, |light| setup.allocated_extent[0] / light[0]);
+                Some(Image { name: r.name.clone(), format: format.preferred(), side: side * ratio })
             }
             Shape::Image { .. } | Shape::Buffer { .. } => None,
         })

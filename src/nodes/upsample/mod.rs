@@ -1,0 +1,34 @@
+//! Brings filtered light of fewer pixels to each pixel of the guides. \[Kopf 2007\]
+//!
+#![doc = include_str!("specification.md")]
+
+pub(crate) mod twin;
+
+use super::pass;
+use crate::contract::TexelGrid;
+use crate::graph::{Graph, Guides, Port, CONFIDENCE, HDR};
+use crate::shaders;
+
+impl Graph {
+    /// Irradiance of one or two signals, or visibility, of every rendered pixel, from that of the pixels with light:
+    /// [`crate::Config::light_extent`]. Where every pixel has light, the port as it is.
+    pub fn upsample<K>(&mut self, guides: &Guides, filtered: &Port<K>) -> Port<K> {
+        if !self.has_light_extent() {
+            return *filtered;
+        }
+        let label = self.label_of(filtered);
+        let node = self.node("upsample", &label);
+        let (module, base, format) = match self.format_of(filtered.image()) == Some(CONFIDENCE) {
+            true => (&shaders::UPSAMPLE_NUMBER_1, "upsampled_visibility", CONFIDENCE),
+            false => (&shaders::UPSAMPLE_NUMBER_0, "upsampled", HDR),
+        };
+        let upsampled: Port<K> = self.image_each(filtered, base, format, TexelGrid::Rendered(1));
+        let pass = pass(&node, module)
+            .bind("rendered_guide", guides.rendered.guide)
+            .bind("guide", guides.guide)
+            .each("filtered", filtered.images())
+            .each("upsampled", upsampled.images());
+        self.add(pass);
+        self.renewed(&upsampled)
+    }
+}

@@ -1,0 +1,214 @@
+//! Light of fewer pixels than the guides.
+
+use super::support::{assert_finite, assert_valid, frame, pixels, rmse, scene::Guides, scene::Scene, session, upload_traced};
+use atrous::config::{Preset, Signals};
+use atrous::executor::Session;
+use atrous::{Config, Error, FrameParams, ResetReason, Tuning};
+use atrous_harness::DeviceTest;
+
+pub const TESTS: &[DeviceTest] = &[
+    ("half_the_light_is_better_than_an_enlarged_picture", half_the_light_is_better_than_an_enlarged_picture),
+    ("an_offset_that_changes_is_as_good_as_one_that_does_not", an_offset_that_changes_is_as_good_as_one_that_does_not),
+    ("light_that_is_not_finite_leaves_no_hole", light_that_is_not_finite_leaves_no_hole),
+    ("a_cut_with_half_the_light_is_a_first_frame", a_cut_with_half_the_light_is_a_first_frame),
+    ("light_of_another_size_is_refused", light_of_another_size_is_refused),
+    ("images_of_light_have_its_extent", images_of_light_have_its_extent),
+    ("light_of_every_pixel_changes_nothing", light_of_every_pixel_changes_nothing),
+];
+
+const EXTENT: [u32; 2] = [96, 54];
+const HALF: [u32; 2] = [48, 27];
+const FRAMES: u32 = 20;
+
+/// Some points around 0.
+fn jitter(index: u32) -> [f32; 2] {
+    [0.618_034, 0.754_878].map(|step| (index as f32 * step).fract() - 0.5)
+}
+
+/// Each of the four pixels of a cell in turn.
+fn offset(index: u32) -> [u32; 2] {
+    [[0, 0], [1, 1], [1, 0], [0, 1]][index as usize % 4]
+}
+
+fn scene(extent: [u32; 2], speed: f32, jitter: [f32; 2]) -> Scene {
+    Scene { speed, jitter, noise: 0.3, ..Scene::new(extent) }
+}
+
+fn half() -> Config {
+    Config { light_extent: Some(HALF), output_extent: Some(EXTENT), ..Config::new(EXTENT) }
+}
+
+/// Means over the pixels.
+fn reference(speed: f32, index: u32) -> Vec<[f32; 4]> {
+    let mut sum = vec![[0.0; 4]; pixels(EXTENT).count()];
+    for i in 0..16 {
+        let part = [(i % 4) as f32 / 4.0 - 0.375, (i / 4) as f32 / 4.0 - 0.375];
+        let clean = Scene { noise: 0.0, ..scene(EXTENT, speed, part) }.frame(index, 0).clean;
+        sum.iter_mut().zip(&clean).for_each(|(sum, c)| (0..3).for_each(|i| sum[i] += c[i] / 16.0));
+    }
+    sum
+}
+
+/// Runs a frame, of which each cell has light at the offset; returns the picture.
+fn traced_frame(s: &mut Session, guides: &Guides, params: &FrameParams) -> Vec<[f32; 4]> {
+    upload_traced(s, guides, params.light_offset);
+    s.run(params, &Tuning::default()).expect("a frame");
+    for name in ["denoised_radiance", "upscaled_radiance"] {
+        assert_finite(&s.download(name).expect(name), EXTENT, EXTENT);
+    }
+    s.download("upscaled_radiance").expect("an output")
+}
+
+/// The error of the last frames, by the offset of each.
+fn error_of(speed: f32, offset: fn(u32) -> [u32; 2]) -> f64 {
+    let mut s = session(&half());
+    let mut error = 0.0;
+    for i in 0..FRAMES {
+        let scene = scene(EXTENT, speed, jitter(i));
+        let params = FrameParams { light_offset: offset(i), ..scene.params(i) };
+        let picture = traced_frame(&mut s, &scene.frame(i, i), &params);
+        error += if i >= FRAMES - 4 { rmse(&picture, &reference(speed, i)) / 4.0 } else { 0.0 };
+    }
+    assert_valid();
+    error
+}
+
+/// A picture of half the extent by the four pixels around, moved back by its jitter.
+fn enlarged(image: &[[f32; 4]], jitter: [f32; 2]) -> Vec<[f32; 4]> {
+    let around = |p: u32, axis: usize| {
+        let s = ((p as f32 + 0.5) / 2.0 - 0.5 - jitter[axis]).clamp(0.0, (HALF[axis] - 1) as f32);
+        let first = (s as u32).min(HALF[axis] - 2);
+        (first, s - first as f32)
+    };
+    let pixel = |(x, y)| {
+        let ((x, fx), (y, fy)) = (around(x, 0), around(y, 1));
+        let at = |x: u32, y: u32| image[(y * HALF[0] + x) as usize];
+        let mix = |a: [f32; 4], b: [f32; 4], t: f32| std::array::from_fn(|i| a[i] + t * (b[i] - a[i]));
+        mix(mix(at(x, y), at(x + 1, y), fx), mix(at(x, y + 1), at(x + 1, y + 1), fx), fy)
+    };
+    pixels(EXTENT).map(pixel).collect()
+}
+
+fn half_the_light_is_better_than_an_enlarged_picture() {
+    for speed in [0.0, 0.02] {
+        let mut s = session(&Config::new(HALF));
+        let mut bilinear = 0.0;
+        for i in 0..FRAMES {
+            let scene = scene(HALF, speed, jitter(i));
+            let (_, image) = frame(&mut s, &scene.frame(i, i), &scene.params(i), &Tuning::default());
+            bilinear += if i >= FRAMES - 4 { rmse(&enlarged(&image, jitter(i)), &reference(speed, i)) / 4.0 } else { 0.0 };
+        }
+        let error = error_of(speed, offset);
+        println!("at speed {speed}: {:.3} of the error of a bilinear enlargement", error / bilinear);
+        assert!(error < 0.5 * bilinear, "at speed {speed}: {error} {bilinear}");
+    }
+    assert_valid();
+}
+
+fn an_offset_that_changes_is_as_good_as_one_that_does_not() {
+    for speed in [0.0, 0.02] {
+        let (changing, steady) = (error_of(speed, offset), error_of(speed, |_| [0; 2]));
+        println!("at speed {speed}: {:.3} of the error with a steady offset", changing / steady);
+        assert!(changing < 1.02 * steady, "at speed {speed}: {changing} {steady}");
+    }
+}
+
+fn light_that_is_not_finite_leaves_no_hole() {
+    let mut s = session(&Config { signals: Signals::Specular, visibility: true, ..half() });
+    for i in 0..4 {
+        let scene = scene(EXTENT, 0.02, jitter(i));
+        let mut guides = scene.frame(i, i);
+        for images in [&mut guides.noisy_diffuse, &mut guides.noisy_specular] {
+            // Whole neighbourhoods, and everything in one frame.
+            let is_bad = |k: usize| i == 2 || k % 96 < 40 || k % 7 < 2;
+            images.iter_mut().enumerate().filter(|(k, _)| is_bad(*k)).for_each(|(_, texel)| *texel = [f32::NAN; 4]);
+        }
+        traced_frame(&mut s, &guides, &FrameParams { light_offset: offset(i), ..scene.params(i) });
+        assert_finite(&s.download("denoised_visibility").expect("an output"), EXTENT, EXTENT);
+    }
+    assert_valid();
+}
+
+fn a_cut_with_half_the_light_is_a_first_frame() {
+    let run = |frames: u32| {
+        let mut s = session(&half());
+        let mut last = Vec::new();
+        for i in 0..frames {
+            let is_last = i + 1 == frames;
+            // What was before is a darker place.
+            let scene = Scene { light: if is_last { 1.0 } else { 0.3 }, ..scene(EXTENT, 0.0, jitter(7)) };
+            let reset = is_last.then_some(ResetReason::CameraCut);
+            let light_offset = if is_last { [1, 0] } else { offset(i) };
+            last = traced_frame(&mut s, &scene.frame(0, 5), &FrameParams { reset, light_offset, ..scene.params(0) });
+        }
+        last
+    };
+    assert!(run(1) == run(4), "a cut shows something of the past");
+    assert_valid();
+}
+
+fn light_of_another_size_is_refused() {
+    let declare = |light| Config { light_extent: Some(light), ..Config::new(EXTENT) }.declare();
+    for light in [EXTENT, HALF, [48, 54], [96, 27]] {
+        declare(light).expect("all of the pixels, or half of them");
+    }
+    for light in [[0, 27], [47, 27], [48, 28], [32, 18], [192, 108]] {
+        let error = declare(light).expect_err("neither");
+        let text = error.to_string();
+        assert!(matches!(error, Error::LightExtent { .. }) && text.contains(&format!("{light:?}")), "{text}");
+        assert!(text.contains("[96, 54]") && text.contains("half") && text.contains("Config::light_extent"), "{text}");
+    }
+    let odd = Config { light_extent: Some([47, 27]), ..Config::new([95, 54]) }.declare().expect_err("half of an odd number");
+    assert!(odd.to_string().contains("[95, 54]"), "{odd}");
+    let half = Config { light_extent: Some(HALF), ..Config::new(EXTENT) };
+    for (config, needs) in
+        [(Config { volume: true, ..half }, "Config::volume"), (Config { reactive_mask: true, ..half }, "Config::reactive_mask")]
+    {
+        let error = config.declare().expect_err(needs).to_string();
+        assert!(error.contains("[48, 27]") && error.contains(needs), "{error}");
+    }
+    #[cfg(feature = "capture")]
+    {
+        let folder = tempfile::tempdir().expect("a folder");
+        let refused = session(&self::half()).capture(folder.path().join("light"), 1).expect_err("images of two sizes").to_string();
+        assert!(refused.contains("[48, 27]") && refused.contains("light_extent"), "{refused}");
+    }
+    // Frames.
+    let mut s = session(&Config { light_extent: Some([48, 54]), ..Config::new(EXTENT) });
+    upload_traced(&mut s, &Scene::new(EXTENT).frame(0, 0), [0; 2]);
+    let error = s.run(&FrameParams::new([95, 54]), &Tuning::default()).expect_err("an odd width").to_string();
+    assert!(error.contains("[95, 54]") && error.contains("even"), "{error}");
+    s.run(&FrameParams::new([94, 53]), &Tuning::default()).expect("an even width");
+    for light_offset in [[2, 0], [0, 1]] {
+        let params = FrameParams { light_offset, ..FrameParams::new(EXTENT) };
+        let error = s.run(&params, &Tuning::default()).expect_err("beyond the cell").to_string();
+        assert!(error.contains("light_offset") && error.contains(&format!("{light_offset:?}")), "{error}");
+    }
+    let set = |text: &str| Config::new(EXTENT).set("light_extent", text);
+    assert_eq!((set("48x27"), set("none")), (Ok(()), Ok(())));
+}
+
+fn images_of_light_have_its_extent() {
+    for preset in [Preset::Svgf, Preset::Asvgf, Preset::Percentile, Preset::Fast, Preset::Best, Preset::Eaw] {
+        let config = Config { preset, visibility: true, light_extent: Some(HALF), ..Config::new(EXTENT) };
+        let declaration = config.declare().expect("valid");
+        let extent = |declaration: &atrous::Declaration, name: &str| {
+            declaration.resource(declaration.find(name).expect(name)).extent(declaration.setup()).expect(name)
+        };
+        for name in ["noisy_radiance", "noisy_visibility", "occluder_distance", "guide", "surface_motion"] {
+            assert_eq!(extent(&declaration, name), HALF, "{preset}, {name}");
+        }
+        for name in ["depth", "albedo", "emission", "denoised_radiance", "denoised_visibility", "unshadowed_direct"] {
+            assert_eq!(extent(&declaration, name), EXTENT, "{preset}, {name}");
+        }
+        let larger = declaration.with_extent([100, 60]).expect("another extent");
+        assert_eq!(extent(&larger, "guide"), [50, 30]);
+        assert!(matches!(declaration.with_extent([101, 60]), Err(Error::LightExtent { .. })));
+    }
+}
+
+fn light_of_every_pixel_changes_nothing() {
+    let declare = |light_extent| Config { light_extent, ..Config::new(EXTENT) }.declare().expect("valid");
+    let (whole, none) = (declare(Some(EXTENT)), declare(None));
+    assert_eq!((whole.resources(), whole.passes().len()), (none.resources(), none.passes().len()));
+}
