@@ -235,7 +235,7 @@ vec4 reflection_history_at(ivec2 p) {
 
 // Of a surface that faces the camera: radii of the filter are measured in such pixels.
 vec4 penumbra_at(ivec2 p, GuideBits packed) {
-    float distance = unpack_visibility_history(texelFetch(visibility_history, p, 0).x).occluder_distance;
+    float distance = unpack_visibility_history(texelFetch(visibility_history, p, 0).x, 0u).occluder_distance;
     vec2 size = pixel_size(guide_depth(packed));
     float pixels = push.light_radius * distance / max(size.x, size.y);
     return distance > 0.0 ? vec4(false_colour(pixels / WIDE_PENUMBRA), pixels) : vec4(0.0);
@@ -265,7 +265,7 @@ vec4 shown(ivec2 p, GuideBits packed, uint view) {
     case VIEW_MOTION: return coloured_motion(motion_at(p));
     case VIEW_VIRTUAL_MOTION: return virtual_motion_at(p, packed);
     case VIEW_REFLECTION_HISTORY: return reflection_history_at(p);
-    case VIEW_VISIBILITY: value = unpack_visibility_history(texelFetch(visibility_history, p, 0).x).mean; return vec4(false_colour(value), value);
+    case VIEW_VISIBILITY: value = unpack_visibility_history(texelFetch(visibility_history, p, 0).x, 0u).mean; return vec4(false_colour(value), value);
     case VIEW_PENUMBRA: return penumbra_at(p, packed);
     case VIEW_HIT_DISTANCE: return hit_distance_at(p, packed);
     case VIEW_LOBE_ANGLE: return lobe_angle_at(p);

@@ -112,7 +112,7 @@ fn configurations() -> Vec<Config> {
                     object_normal: true,
                     debug_view: true,
                     volume: true,
-                    visibility: true,
+                    visibility: 1,
                     forward_motion: true,
                     firefly_filter: true,
                     sampling: Sampling::OneOf2x2,

@@ -22,7 +22,7 @@ pub const TESTS: &[DeviceTest] = &[
 const EXTENT: [u32; 2] = [96, 54];
 
 fn config(extent: [u32; 2]) -> Config {
-    Config { visibility: true, ..Config::new(extent) }
+    Config { visibility: 1, ..Config::new(extent) }
 }
 
 fn visibility_of(s: &mut Session, g: &Guides, params: &FrameParams) -> Vec<f32> {
@@ -44,7 +44,7 @@ fn it_costs_at_most_12_bytes_a_pixel() {
                 let memory = config.declare().expect("valid").memory();
                 memory.history + memory.transient + memory.output
             };
-            let more = bytes(&Config { visibility: true, ..without }) as f64 - bytes(&without) as f64;
+            let more = bytes(&Config { visibility: 1, ..without }) as f64 - bytes(&without) as f64;
             let a_pixel = more / f64::from(extent[0] * extent[1]);
             let most = match (preset, post_process) {
                 // It keeps no guide of the frame before.
@@ -131,7 +131,7 @@ fn surfaces_are_as_they_were_and_the_product_is_added() {
     let scene = Scene { speed: 0.1, ..Scene::new(EXTENT) };
     for preset in [Preset::Svgf, Preset::Eaw, Preset::Best] {
         let without = Config { preset, ..Config::new(EXTENT) };
-        let (mut surfaces, mut both) = (session(&without), session(&Config { visibility: true, ..without }));
+        let (mut surfaces, mut both) = (session(&without), session(&Config { visibility: 1, ..without }));
         for i in 0..4 {
             let (g, params) = (scene.frame(i, i), scene.params(i));
             let (_, expected) = frame(&mut surfaces, &g, &params, &Tuning::for_preset(preset));

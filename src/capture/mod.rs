@@ -217,6 +217,7 @@ impl SequenceWriter {
         Ok(Layer::of_input(
             name,
             self.declaration.setup().conventions.motion_depth,
+            self.declaration.find("visibility_history_colours").is_some(),
             planes,
             extent[0] as usize * extent[1] as usize,
         ))

@@ -18,7 +18,7 @@ fn config() -> Config {
         signals: Signals::Apart,
         levels: Some(4),
         volume: true,
-        visibility: true,
+        visibility: 1,
         firefly_filter: true,
         adaptive_rule: AdaptiveRule::Percentiles,
         stratum_size: 4,

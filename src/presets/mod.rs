@@ -31,7 +31,8 @@ pub use volume::volume;
 use crate::config::{Config, PostProcess, Preset, Signals};
 use crate::contract::Declaration;
 use crate::error::Error;
-use crate::graph::{Graph, Guides, Irradiance, Radiance};
+use crate::graph::{Graph, Guides, Irradiance, Radiance, Visibility};
+use crate::nodes::visibility_filter::OUTPUTS;
 use crate::nodes::{Import, Intermediates, TemporalUpscale, Usual};
 use visibility::{visibility, visibility_accumulated};
 
@@ -79,14 +80,16 @@ impl Config {
             albedo: filter.is_some(),
         });
         filter_exposure(&mut g, self);
-        let accumulated = self.visibility.then(|| visibility_accumulated(&mut g, &guides));
+        let accumulated = (self.visibility > 0).then(|| visibility_accumulated(&mut g, &guides, self));
         let mut surfaces = filter.map(|filter| filter(&mut g, &guides, self));
         if let Some(denoised) = &surfaces {
             outputs(&mut g, denoised);
         }
         if let Some(accumulated) = accumulated {
             let visibility = visibility(&mut g, &guides, &accumulated);
-            g.output("denoised_visibility", &visibility);
+            for (name, image) in OUTPUTS.iter().zip(visibility.images()) {
+                g.output(name, &Visibility::of(*image));
+            }
             surfaces = surfaces.map(|of| Denoised { radiance: g.shadowed_light(&of.radiance, &visibility), ..of });
         }
         let fog = self.has_volume().then(|| {

@@ -1,14 +1,16 @@
-//! The filter of a light's visibility: shadows of the sun, or of a lamp.
+//! The filter of lights' visibility: shadows of the sun, or of lamps.
 
+use crate::config::Config;
 use crate::graph::{Graph, Guides, Visibility, VisibilityAccumulated};
+use crate::nodes::Lights;
 
 /// Levels: a kernel with a standard deviation of 9 pixels, penumbrae of some 40 pixels from side to side.
 const LEVELS: u32 = 4;
 
-/// The first half of the passes of one light's visibility. They run before those of surfaces, while
-/// the motion of surfaces is at hand.
-pub(crate) fn visibility_accumulated(g: &mut Graph, guides: &Guides) -> VisibilityAccumulated {
-    let samples = g.visibility_samples(guides);
+/// The first half of the passes of visibility. They run before those of surfaces, while the motion of
+/// surfaces is at hand.
+pub(crate) fn visibility_accumulated(g: &mut Graph, guides: &Guides, config: &Config) -> VisibilityAccumulated {
+    let samples = g.visibility_samples(guides, Lights { count: config.visibility, coloured: config.coloured_visibility });
     g.visibility_accumulation(guides, &samples)
 }
 

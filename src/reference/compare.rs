@@ -55,6 +55,8 @@ pub(crate) enum Reading {
     Reflection,
     /// Share of the past of `reflection*` that comes from the image, −1 without a past.
     ImageShare,
+    /// Green and blue means of `history_colours`.
+    VisibilityColours,
     /// Steps of the deviation, of the history length and of the distance of `visibility_history`.
     VisibilitySteps,
 }
@@ -162,7 +164,7 @@ impl Tolerance {
 }
 
 /// The numbers of a texel; those that it does not have are 0.
-type Numbers = [f32; 6];
+type Numbers = [f32; 12];
 
 fn padded<const N: usize>(values: [f32; N]) -> Numbers {
     std::array::from_fn(|i| values.get(i).copied().unwrap_or(0.0))
@@ -180,6 +182,11 @@ impl Reading {
             Texels::Scalar(image) => padded([image.at(p)]),
             Texels::Packed(image) => self.of_packed(image.at(p)),
             Texels::Uint(image) => self.of_uint(image.at(p)),
+            Texels::Wide(image) => {
+                // Three numbers of a word at most.
+                let words = image.at(p).map(|word| self.of_uint(word));
+                std::array::from_fn(|i| words[i / 3][i % 3])
+            }
             Texels::Bytes(bytes) if self == Self::Counts => {
                 // Once a word: at its first byte.
                 let word = bytes.get(p.x as usize..p.x as usize + 4).filter(|_| p.x % 4 == 0);
@@ -194,7 +201,7 @@ impl Reading {
             Self::Guide => {
                 let s = unpack_guide(texel);
                 let [x, y, z] = s.normal;
-                [s.linear_depth, x, y, z, s.roughness, s.id.into()]
+                padded([s.linear_depth, x, y, z, s.roughness, s.id.into()])
             }
             Self::SurfaceMotion => {
                 let m = unpack_surface_motion(texel);
@@ -225,7 +232,11 @@ impl Reading {
                 padded([seen.hit_distance, seen.roughness])
             }
             Self::ImageShare => padded([unpack_image_share(texel).unwrap_or(-1.0)]),
-            Self::Visibility => padded([unpack_visibility(texel).mean]),
+            Self::Visibility => padded([unpack_visibility(texel, None).mean[0]]),
+            Self::VisibilityColours => {
+                let [_, green, blue] = unpack_visibility(0, Some(texel)).mean;
+                padded([green, blue])
+            }
             Self::VisibilitySteps => padded([(texel >> 12 & 0x3f) as f32, (texel >> 18 & 0x3f) as f32, (texel >> 24) as f32]),
             _ => padded(parts.map(f32::from)),
         }

@@ -31,7 +31,7 @@ pub fn config(dice: &mut Dice) -> Config {
         signals: dice.one_of(&Signals::ALL),
         levels: dice.coin().then(|| 1 + dice.below(10)),
         volume: dice.coin(),
-        visibility: dice.coin(),
+        visibility: dice.below(5),
         firefly_filter: dice.coin(),
         adaptive_rule: dice.one_of(&AdaptiveRule::ALL),
         stratum_size: 2 + dice.below(3),
@@ -46,6 +46,7 @@ pub fn config(dice: &mut Dice) -> Config {
         debug_view: dice.coin(),
         // Its frames render any part of the allocation.
         output_extent: None,
+        coloured_visibility: dice.coin(),
         conventions,
     }
 }

@@ -8,7 +8,7 @@ use atrous::{Config, Counter, FrameParams};
 
 /// Things and lights that move, transforms that none has, ids that have none, and motions that are NaN.
 pub fn moving_shadows() {
-    let config = Config { visibility: true, ..svgf([61, 35]) };
+    let config = Config { visibility: 1, ..svgf([61, 35]) };
     let scene = Scene { speed: 0.07, ..Scene::new([61, 35]) };
     let identity: InstanceTransform = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
     let moved = [[0.9998, -0.02, 0.0, 0.1], [0.02, 0.9998, 0.0, -0.05], [0.0, 0.0, 1.0, 0.02]];

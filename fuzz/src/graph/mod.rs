@@ -93,7 +93,7 @@ fn configured(choices: &mut Choices<'_>) -> Result<Declaration, Error> {
         signals: choice(choices),
         levels: choices.one_in(2).then(|| number(choices, 3)),
         volume: choices.one_in(2),
-        visibility: choices.one_in(2),
+        visibility: number(choices, 5),
         firefly_filter: choices.one_in(2),
         adaptive_rule: choice(choices),
         eaw_weights: EawWeights::from_bits(number(choices, 7)).unwrap_or_default(),
@@ -107,6 +107,7 @@ fn configured(choices: &mut Choices<'_>) -> Result<Declaration, Error> {
         float_output: choices.one_in(4),
         debug_view: choices.one_in(2),
         output_extent: choices.one_in(2).then(|| extent(choices)),
+        coloured_visibility: choices.one_in(2),
         conventions: conventions(choices),
     };
     let declaration = config.declare()?;

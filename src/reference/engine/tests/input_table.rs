@@ -17,7 +17,7 @@ fn asking_for(input: &Input) -> Config {
         object_normal: true,
         forward_motion: true,
         volume: true,
-        visibility: true,
+        visibility: 4,
         ..Config::new(EXTENT)
     };
     let apart = Config { signals: Signals::Apart, ..everything };
