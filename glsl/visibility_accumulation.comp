@@ -218,16 +218,17 @@ float tap_weight(Centre centre, ivec2 p, ivec2 offset, out WORDS words, out WORD
     return counts ? exp2(log2_edge_weight(centre.edges, packed, depth_sharpness(centre.edges, vec2(offset)))) : 0.0;
 }
 
+// Of the penumbra of the pixel itself.
 float own_reach(const int light, Centre centre, Sample own) {
     return 2.0 * radius_of(light) * (largest(1.0 - own.visibility) > 0.0 ? own.distance : 0.0) + NEAR * centre.longer;
 }
 
-void search_tap(inout Search found, const int light, Centre centre, Sample own, Sample taken, float weight, float squared, ivec2 q) {
+void search_tap(inout Search found, const int light, Centre centre, float own_reach, Sample taken, float weight, float squared, ivec2 q) {
     weight = exists(taken) ? weight : 0.0;
     VISIBLE occluded = weight * (1.0 - taken.visibility) * reach(squared, 2.0 * radius_of(light) * taken.distance + NEAR * centre.longer);
     float most = largest(occluded);
     found.occluded += occluded;
-    found.lit += weight * taken.visibility * reach(squared, own_reach(light, centre, own));
+    found.lit += weight * taken.visibility * reach(squared, own_reach);
     found.occluder_distance += most * taken.distance;
     found.known += taken.distance > 0.0 ? most : 0.0;
     if (taken.distance > 0.0 && most > CLEARLY * found.nearest_weight) {
@@ -238,13 +239,15 @@ void search_tap(inout Search found, const int light, Centre centre, Sample own, 
 
 // 5x5 pixels, and 5x5 three pixels apart. A penumbra is twice as wide as the light's disc is seen from its occluder on either side.
 void search(inout Search found[MOST_LIGHTS], Centre centre, ivec2 p, Sample own[MOST_LIGHTS]) {
+    float reaches[MOST_LIGHTS];
+    EACH_LIGHT(reaches[light] = own_reach(light, centre, own[light]))
     [[dont_unroll]] for (int i = 0; i < 50; ++i) {
         int place = i % 25, stride = i < 25 ? 1 : 3;
         ivec2 offset = ivec2(place % 5 - 2, place / 5 - 2) * stride;
         if (i == 37) continue;
         WORDS words, colours;
         float weight = tap_weight(centre, p, offset, words, colours), squared = squared_distance(centre.size, centre.edges.gradient, vec2(offset));
-        EACH_LIGHT(search_tap(found[light], light, centre, own[light], sample_of(word_of(words, light), word_of(colours, light)), weight, squared, p + offset))
+        EACH_LIGHT(search_tap(found[light], light, centre, reaches[light], sample_of(word_of(words, light), word_of(colours, light)), weight, squared, p + offset))
     }
 }
 

@@ -38,7 +38,7 @@ macro_rules! config_fields {
                 /// `occluder_distance` is the distance from the surface to the occluder along the shadow ray (scene
                 /// units; 0 or infinite: none, or not known). The output is `denoised_visibility`. Set the size of the
                 /// light with [`crate::Tuning::light_radius`]. The names of further lights end in `_1` to `_3`. Costs 12
-                /// bytes per pixel for one light, the outputs included, and about 13 for each of four. Default: 0.
+                /// bytes per pixel for one light, the outputs included, and 66 for four. Default: 0.
                 ///
                 /// Multiply each of your lights by its output. Or give the optional input `unshadowed_direct`, the light
                 /// of the surface without an occluder, times albedo and BSDF. `denoised_radiance` then contains the
@@ -84,7 +84,7 @@ macro_rules! config_fields {
                 /// result. None: the picture has the size that you rendered. Default: none.
                 output_extent: host extent_or_none Option<[u32; 2]> = None;
                 /// Whether the visibility of lights has a colour, for stained glass and leaves: red, green and blue of
-                /// `noisy_visibility` and `denoised_visibility`. Costs about twice the memory of grey shadows. Default:
+                /// `noisy_visibility` and `denoised_visibility`. Costs about twice the memory of grey ones. Default:
                 /// false.
                 coloured_visibility: filter flag bool = false;
             }
