@@ -18,6 +18,9 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
+// The visibility is that of all directions: no light, whose shadows have edges and move.
+layout(constant_id = 1) const bool AMBIENT = false;
+
 layout(push_constant) uniform Push {
     float light_radius;
 #if MANY
@@ -125,6 +128,8 @@ const float NEAR = 1.5;
 // Standard deviations of the interval that history is clamped to, by the radius of the penumbra in pixels: where motion blurs as much as the
 // penumbra does, the few samples of this frame know better.
 const vec2 CONFIDENCE_Z = vec2(1.0, 2.0);
+// The same of all directions, whose visibility is near 1 in most places: a narrow interval would pull it down.
+const float CONFIDENCE_Z_OF_AMBIENT = 3.0;
 // Frames up to which the deviation is at least that of the surroundings: a few samples may be equal by chance.
 const float SHORT_HISTORY = 8.0;
 // Variance of a look by the cubic, as a share of that by 2x2 pixels.
@@ -268,10 +273,11 @@ void window(inout Window sum[MOST_LIGHTS], Centre centre, ivec2 p, float radius[
 
 // What the mean may be, by the samples of this frame. All of one kind, as far as a penumbra reaches: nothing else.
 vec2 bounds(float occluded, float lit, float weight, float of_lit, float pixels) {
-    if (occluded <= NOTHING && lit > NOTHING) return vec2(1.0);
-    if (lit <= NOTHING && occluded > NOTHING) return vec2(0.0);
+    // Of all directions a few may be hidden from no pixel around.
+    if (!AMBIENT && occluded <= NOTHING && lit > NOTHING) return vec2(1.0);
+    if (!AMBIENT && lit <= NOTHING && occluded > NOTHING) return vec2(0.0);
     if (weight <= NOTHING) return vec2(0.0, 1.0);
-    float z = clamp(pixels, CONFIDENCE_Z.x, CONFIDENCE_Z.y), squared = z * z, n = weight, inverse = 1.0 / (n + squared);
+    float z = AMBIENT ? CONFIDENCE_Z_OF_AMBIENT : clamp(pixels, CONFIDENCE_Z.x, CONFIDENCE_Z.y), squared = z * z, n = weight, inverse = 1.0 / (n + squared);
     float middle = (of_lit + 0.5 * squared) * inverse;
     float half_width = z * inverse * sqrt(max(0.0, of_lit * (n - of_lit) / n + 0.25 * squared));
     return clamp(vec2(middle - half_width, middle + half_width), 0.0, 1.0);
@@ -387,7 +393,7 @@ void count_bad_occluder(const int light, ivec2 p, Sample own) {
 // Where the shadow that reaches the pixel lay in the previous frame, pixels, and its linear depth there. False: where the surface was.
 bool shadow_place(const int light, Receiver receiver, Search found, out vec2 place, out float depth) {
     vec3 shadow;
-    bool moved = found.nearest_weight > 0.0 && shadow_before(receiver, light, found.nearest, shadow) && previous_pixel_position(shadow, place);
+    bool moved = !AMBIENT && found.nearest_weight > 0.0 && shadow_before(receiver, light, found.nearest, shadow) && previous_pixel_position(shadow, place);
     depth = (frame.previous_view_from_world * vec4(shadow, 1.0)).z * forward_sign();
     return moved;
 }

@@ -113,6 +113,7 @@ fn configurations() -> Vec<Config> {
                     debug_view: true,
                     volume: true,
                     visibility: 4,
+                    ambient_occlusion: true,
                     forward_motion: true,
                     firefly_filter: true,
                     sampling: Sampling::OneOf2x2,

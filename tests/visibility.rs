@@ -1,6 +1,6 @@
 //! The visibility of lights: beside the presets for surfaces, with their light and without.
 
-use super::support::{assert_finite, assert_valid, frame, scene::Guides, scene::Scene, session, session_with, upload};
+use super::support::{assert_finite, assert_valid, frame, random, scene::Guides, scene::Scene, session, session_with, upload};
 use atrous::config::{PostProcess, Preset, Signals};
 use atrous::executor::{Session, SessionOptions};
 use atrous::Counter;
@@ -17,6 +17,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("surfaces_are_as_they_were_and_the_product_is_added", surfaces_are_as_they_were_and_the_product_is_added),
     ("what_is_no_visibility_is_counted_and_does_not_spread", what_is_no_visibility_is_counted_and_does_not_spread),
     ("odd_depths_beside_missing_samples_are_no_nan", odd_depths_beside_missing_samples_are_no_nan),
+    ("ambient_occlusion_is_nearer_to_the_truth_than_its_samples", ambient_occlusion_is_nearer_to_the_truth_than_its_samples),
     ("each_of_four_lights_is_what_it_is_alone", each_of_four_lights_is_what_it_is_alone),
     ("a_grey_light_is_the_same_in_colour", a_grey_light_is_the_same_in_colour),
     ("several_lights_cost_no_more_memory_than_the_page_says", several_lights_cost_no_more_memory_than_the_page_says),
@@ -304,4 +305,35 @@ fn the_products_of_coloured_lights_are_added() {
         }
     }
     assert_valid();
+}
+
+fn ambient_occlusion_is_nearer_to_the_truth_than_its_samples() {
+    // A little occlusion, as between walls far apart, and much of it; a bit more to the right.
+    for (speed, occluded) in [(0.0, 0.03), (0.05, 0.03), (0.0, 0.5), (0.05, 0.5)] {
+        let scene = Scene { speed, ..Scene::new(EXTENT) };
+        let mut s = session(&Config { ambient_occlusion: true, ..Config::new(EXTENT) });
+        let truth: Vec<f32> = (0..96 * 54).map(|p| 1.0 - occluded * (0.5 + (p % 96) as f32 / 96.0)).collect();
+        let (mut noise, mut error, mut bias) = (0.0, 0.0, 0.0);
+        for i in 0..24 {
+            let mut g = scene.frame(i, i);
+            for (p, open) in truth.iter().enumerate() {
+                let [hit, far] = [random(p as u32, i, 40), random(p as u32, i, 41)];
+                let seen = hit < *open;
+                g.further_lights[1].noisy_visibility[p] = [f32::from(seen); 4];
+                g.further_lights[1].occluder_distance[p] = [if seen { f32::INFINITY } else { 0.1 + far }; 4];
+            }
+            upload(&mut s, &g);
+            s.run(&scene.params(i), &Tuning::default()).expect("frame");
+            let image = s.download("denoised_ambient").expect("output");
+            let surfaces: Vec<_> = (0..truth.len()).filter(|p| g.surface_id[*p] != 0).collect();
+            let mean = |of: &dyn Fn(usize) -> f32| surfaces.iter().map(|p| of(*p)).sum::<f32>() / surfaces.len() as f32;
+            noise = mean(&|p| (g.further_lights[1].noisy_visibility[p][0] - truth[p]).powi(2)).sqrt();
+            error = mean(&|p| (image[p][0] - truth[p]).powi(2)).sqrt();
+            bias = mean(&|p| image[p][0] - truth[p]);
+        }
+        println!("{occluded} at {speed}: {noise:.4} to {error:.4}, bias {bias:.4}");
+        assert!(error < 0.25 * noise, "{occluded} at {speed}: {noise} to {error}");
+        assert!(bias.abs() < 0.25 * occluded, "{occluded} at {speed}: {bias}");
+        assert_valid();
+    }
 }

@@ -1044,6 +1044,7 @@ pub(crate) static VISIBILITY_ACCUMULATION_MANY_0_COLOUR_0: Shader = Shader {
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("AMBIENT"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -1078,6 +1079,7 @@ pub(crate) static VISIBILITY_ACCUMULATION_MANY_0_COLOUR_1: Shader = Shader {
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("AMBIENT"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -1121,6 +1123,7 @@ pub(crate) static VISIBILITY_ACCUMULATION_MANY_1_COLOUR_0: Shader = Shader {
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("AMBIENT"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("LIGHTS"), id: 2, scalar: Scalar::Uint, default: 4 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
@@ -1168,6 +1171,7 @@ pub(crate) static VISIBILITY_ACCUMULATION_MANY_1_COLOUR_1: Shader = Shader {
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("AMBIENT"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("LIGHTS"), id: 2, scalar: Scalar::Uint, default: 4 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),

@@ -87,6 +87,11 @@ macro_rules! config_fields {
                 /// `noisy_visibility` and `denoised_visibility`. Costs about twice the memory of grey ones. Default:
                 /// false.
                 coloured_visibility: filter flag bool = false;
+                /// Whether you give ambient occlusion apart. The input `noisy_ambient` is 0 where a ray into the hemisphere,
+                /// drawn by the cosine, hit something, and 1 where it did not. The input `ambient_distance` is the distance
+                /// of that hit (scene units; 0 or infinite: none). The output is `denoised_ambient`: multiply your ambient
+                /// light by it. Costs 12 bytes per pixel, the output included. Default: false.
+                ambient_occlusion: host flag bool = false;
             }
             conventions {
                 /// Encoding of depth. Default: [`DepthEncoding::Linear`].

@@ -227,6 +227,11 @@ inputs! {
     /// volume its own motion
     SCATTERING_DEPTH = "scattering_depth": Guide Scalar, true, Some(Counter::ScatteringDepth),
         captured(&["scattering_depth"], &["Z"]);
+    /// with `Config::ambient_occlusion`: 0 where a ray into the hemisphere, drawn by the cosine, hit something, else 1
+    NOISY_AMBIENT = "noisy_ambient": Signal Scalar, false, Some(Counter::Visibility), captured(&["ambient"], Z);
+    /// with `Config::ambient_occlusion`: distance of that hit, scene units; 0 or infinite: none
+    AMBIENT_DISTANCE = "ambient_distance": Guide Scalar, false, Some(Counter::OccluderDistance),
+        captured(&["ambient_distance"], Z);
     each light {
         /// with `Config::visibility`: 0 (occluded) to 1 (lit), by one shadow ray; red alone, unless `Config::coloured_visibility`. Leave
         /// this light out of the noisy radiance

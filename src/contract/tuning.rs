@@ -181,6 +181,8 @@ tuning! {
     light_radius_2: "radians", 0.0 ..= 1.5, 0.00465;
     /// `light_radius` of the fourth light. Raising it blurs its shadows more.
     light_radius_3: "radians", 0.0 ..= 1.5, 0.00465;
+    /// Reach of the filter of ambient occlusion. Raising it leaves less noise and blurs contact more.
+    ambient_radius: "distances of the occluder", 0.0 ..= 1.5, 0.5;
 }
 
 /// Those of the default preset.

@@ -20,6 +20,27 @@ impl Image {
     pub(crate) const NONE: Self = Self { graph: u32::MAX, id: ResourceId(u32::MAX), version: 0 };
 }
 
+/// What visibility is of.
+#[derive(Clone, Copy, Debug)]
+pub struct Lights {
+    /// Number of lights, 1 to 4. Default: 1.
+    pub count: u32,
+    /// Whether their visibility has red, green and blue. Default: false.
+    pub coloured: bool,
+    /// Whether it is no light's, but that of all directions: ambient occlusion. Default: false.
+    pub ambient: bool,
+}
+
+impl Default for Lights {
+    fn default() -> Self {
+        Self::ONE
+    }
+}
+
+impl Lights {
+    const ONE: Self = Self { count: 1, coloured: false, ambient: false };
+}
+
 /// Images of a port at most.
 const MOST_IMAGES: usize = 4;
 
@@ -35,7 +56,7 @@ pub struct Port<K> {
     /// Whether a negative alpha marks pixels without a sample of their own.
     holes: bool,
     /// Of visibility: the lights whose words a texel has.
-    lights: u32,
+    lights: Lights,
     kind: PhantomData<K>,
 }
 
@@ -51,7 +72,7 @@ impl<K> Copy for Port<K> {}
 impl<K> Port<K> {
     /// A port of one image. You vouch for its content; its format is checked by its reader.
     pub fn of(image: Image) -> Self {
-        Self { images: [image; MOST_IMAGES], count: 1, holes: false, lights: 1, kind: PhantomData }
+        Self { images: [image; MOST_IMAGES], count: 1, holes: false, lights: Lights::ONE, kind: PhantomData }
     }
 
     pub(crate) fn of_images(images: &[Image]) -> Option<Self> {
@@ -61,7 +82,7 @@ impl<K> Port<K> {
             images: all,
             count: images.len(),
             holes: false,
-            lights: 1,
+            lights: Lights::ONE,
             kind: PhantomData,
         })
     }
@@ -184,12 +205,12 @@ pub type VisibilityAccumulated = Port<kind::VisibilityAccumulated>;
 pub type Visibility = Port<kind::Visibility>;
 
 impl<K> Port<K> {
-    /// A port of words for so many lights.
-    pub(crate) fn with_lights(self, lights: u32) -> Self {
+    /// A port of words for these lights.
+    pub(crate) fn with_lights(self, lights: Lights) -> Self {
         Self { lights, ..self }
     }
 
-    pub(crate) fn lights(&self) -> u32 {
+    pub(crate) fn lights(&self) -> Lights {
         self.lights
     }
 }

@@ -34,7 +34,7 @@ use crate::error::Error;
 use crate::graph::{Graph, Guides, Irradiance, Radiance, Visibility};
 use crate::nodes::visibility_filter::OUTPUTS;
 use crate::nodes::{Import, Intermediates, TemporalUpscale, Usual};
-use visibility::{visibility, visibility_accumulated};
+use visibility::{ambient, ambient_accumulated, visibility, visibility_accumulated};
 
 /// The outputs of a preset.
 #[derive(Clone, Copy, Debug)]
@@ -81,6 +81,7 @@ impl Config {
         });
         filter_exposure(&mut g, self);
         let accumulated = (self.visibility > 0).then(|| visibility_accumulated(&mut g, &guides, self));
+        let open = self.ambient_occlusion.then(|| ambient_accumulated(&mut g, &guides));
         let mut surfaces = filter.map(|filter| filter(&mut g, &guides, self));
         if let Some(denoised) = &surfaces {
             outputs(&mut g, denoised);
@@ -91,6 +92,10 @@ impl Config {
                 g.output(name, &Visibility::of(*image));
             }
             surfaces = surfaces.map(|of| Denoised { radiance: g.shadowed_light(&of.radiance, &visibility), ..of });
+        }
+        if let Some(open) = open {
+            let open = ambient(&mut g, &guides, &open);
+            g.output("denoised_ambient", &open);
         }
         let fog = self.has_volume().then(|| {
             let fog = volume(&mut g, &guides, self);

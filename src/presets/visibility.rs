@@ -10,7 +10,8 @@ const LEVELS: u32 = 4;
 /// The first half of the passes of visibility. They run before those of surfaces, while the motion of
 /// surfaces is at hand.
 pub(crate) fn visibility_accumulated(g: &mut Graph, guides: &Guides, config: &Config) -> VisibilityAccumulated {
-    let samples = g.visibility_samples(guides, Lights { count: config.visibility, coloured: config.coloured_visibility });
+    let samples =
+        g.visibility_samples(guides, Lights { count: config.visibility, coloured: config.coloured_visibility, ambient: false });
     g.visibility_accumulation(guides, &samples)
 }
 
@@ -18,3 +19,19 @@ pub(crate) fn visibility_accumulated(g: &mut Graph, guides: &Guides, config: &Co
 pub(crate) fn visibility(g: &mut Graph, guides: &Guides, accumulated: &VisibilityAccumulated) -> Visibility {
     g.visibility_filter(guides, accumulated, LEVELS)
 }
+
+/// The first half of the passes of ambient occlusion, which are those of visibility.
+pub(crate) fn ambient_accumulated(g: &mut Graph, guides: &Guides) -> VisibilityAccumulated {
+    g.scope(AMBIENT, |g| {
+        let samples = g.visibility_samples(guides, Lights { ambient: true, ..Lights::default() });
+        g.visibility_accumulation(guides, &samples)
+    })
+}
+
+/// The second half.
+pub(crate) fn ambient(g: &mut Graph, guides: &Guides, accumulated: &VisibilityAccumulated) -> Visibility {
+    g.scope(AMBIENT, |g| visibility(g, guides, accumulated))
+}
+
+/// Behind the names of nodes and images.
+const AMBIENT: &str = "ambient";

@@ -47,6 +47,7 @@ pub fn config(dice: &mut Dice) -> Config {
         // Its frames render any part of the allocation.
         output_extent: None,
         coloured_visibility: dice.coin(),
+        ambient_occlusion: dice.coin(),
         conventions,
     }
 }

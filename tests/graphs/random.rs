@@ -33,7 +33,7 @@ pub fn declare_with(seed: u32, extent: [u32; 2], conventions: Conventions) -> De
         ambient_occlusion(&mut g, &mut dice, &guides);
     }
     if seed % 3 == 1 {
-        let lights = Lights { count: 1 + seed / 3 % 4, coloured: dice.coin() };
+        let lights = Lights { count: 1 + seed / 3 % 4, coloured: dice.coin(), ambient: false };
         let samples = g.visibility_samples(&guides, lights);
         let accumulated = g.visibility_accumulation(&guides, &samples);
         let visibility = g.visibility_filter(&guides, &accumulated, 1 + seed / 3 % 4);

@@ -75,6 +75,8 @@ fn components(name: &str, is_octahedral: bool) -> u32 {
         | "roughness"
         | "scattering_depth"
         | "specular_hit_distance"
+        | "noisy_ambient"
+        | "ambient_distance"
         | "occluder_distance"
         | "occluder_distance_1"
         | "occluder_distance_2"

@@ -73,6 +73,10 @@ pub const TESTS: &[DeviceTest] = &[
         let tuning = Tuning { light_radius_1: 0.01, light_radius_2: 0.02, light_radius_3: 0.002, ..svgf_tuning() };
         tuned_sequence(&Config { visibility: 4, coloured_visibility: true, ..svgf([61, 35]) }, [61, 35], tuning);
     }),
+    ("ambient_occlusion", || {
+        let tuning = Tuning { ambient_radius: 0.01, ..svgf_tuning() };
+        tuned_sequence(&Config { ambient_occlusion: true, visibility: 1, ..svgf([61, 35]) }, [61, 35], tuning);
+    }),
     ("visibility_of_one_pixel", || sequence(&Config { visibility: 1, levels: Some(1), ..svgf([1, 1]) })),
     ("visibility_in_a_larger_image", || sequence_of(&Config { visibility: 1, ..svgf([64, 40]) }, [37, 21])),
     ("visibility_beside_best_and_volume", || {

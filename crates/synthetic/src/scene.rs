@@ -79,7 +79,7 @@ fn tinted(v: f32, lamp: usize) -> [f32; 4] {
 
 impl Guides {
     /// Every image of floats by the name of its input; the normals serve twice.
-    pub fn images(&self) -> [(&'static str, &[[f32; 4]]); 27] {
+    pub fn images(&self) -> [(&'static str, &[[f32; 4]]); 29] {
         let [second, third, fourth] = &self.further_lights;
         [
             ("depth", &self.depth),
@@ -100,6 +100,8 @@ impl Guides {
             ("noisy_visibility", &self.noisy_visibility),
             ("occluder_distance", &self.occluder_distance),
             ("unshadowed_direct", &self.unshadowed_direct),
+            ("noisy_ambient", &third.noisy_visibility),
+            ("ambient_distance", &third.occluder_distance),
             ("noisy_visibility_1", &second.noisy_visibility),
             ("noisy_visibility_2", &third.noisy_visibility),
             ("noisy_visibility_3", &fourth.noisy_visibility),

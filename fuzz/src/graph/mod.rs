@@ -108,6 +108,7 @@ fn configured(choices: &mut Choices<'_>) -> Result<Declaration, Error> {
         debug_view: choices.one_in(2),
         output_extent: choices.one_in(2).then(|| extent(choices)),
         coloured_visibility: choices.one_in(2),
+        ambient_occlusion: choices.one_in(2),
         conventions: conventions(choices),
     };
     let declaration = config.declare()?;

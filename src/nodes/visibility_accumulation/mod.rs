@@ -7,6 +7,7 @@ pub(crate) mod twin;
 use super::pass;
 use crate::contract::Input;
 use crate::graph::{Graph, Guides, VisibilityAccumulated, VisibilitySamples};
+use crate::nodes::visibility_samples::{of_all_directions, radius_of};
 use crate::shaders;
 
 impl Graph {
@@ -15,16 +16,18 @@ impl Graph {
     /// the places of lights in [`crate::FrameParams`] follow shadows that move.
     pub fn visibility_accumulation(&mut self, guides: &Guides, samples: &VisibilitySamples) -> VisibilityAccumulated {
         let node = self.node("visibility_accumulation", "");
-        let (count, coloured) = (samples.lights(), samples.images().len() > 1);
-        let history = self.words_of_lights(["visibility_history", "visibility_history_colours"], count, coloured);
-        let module = match (count > 1, coloured) {
+        let lights = samples.lights();
+        let history = self.words_of_lights(["visibility_history", "visibility_history_colours"], lights);
+        let module = match (lights.count > 1, lights.coloured) {
             (false, false) => &shaders::VISIBILITY_ACCUMULATION_MANY_0_COLOUR_0,
             (false, true) => &shaders::VISIBILITY_ACCUMULATION_MANY_0_COLOUR_1,
             (true, false) => &shaders::VISIBILITY_ACCUMULATION_MANY_1_COLOUR_0,
             (true, true) => &shaders::VISIBILITY_ACCUMULATION_MANY_1_COLOUR_1,
         };
         let mut pass = pass(&node, module)
-            .lights(count)
+            .lights(lights.count)
+            .constant("AMBIENT", u32::from(lights.ambient))
+            .value("light_radius", radius_of(lights))
             .bind("guide", guides.guide)
             .previous("previous_guide", guides.guide)
             .bind("surface_motion", guides.surface_motion)
@@ -40,10 +43,14 @@ impl Graph {
                 .bind("history_colours", *history);
         }
         let of_lights = [Input::OCCLUDER_DISTANCE, Input::OCCLUDER_ID, Input::OCCLUDER_MOTION];
-        for input in of_lights.iter().flat_map(|of| &of[..count as usize]) {
-            pass = pass.bind(input.name, self.input(*input));
+        for of_light in of_lights.iter().flat_map(|of| &of[..lights.count as usize]) {
+            if !lights.ambient {
+                pass = pass.bind(of_light.name, self.input(*of_light));
+            } else if !of_light.optional {
+                pass = pass.bind(of_light.name, self.input(of_all_directions(*of_light)));
+            }
         }
         self.add(pass);
-        self.port_of_words(&history, count)
+        self.port_of_words(&history, lights)
     }
 }

@@ -31,6 +31,8 @@ const CLEARLY: f32 = 1.001;
 const NEAR: f32 = 1.5;
 /// Standard deviations of the interval that the history is clamped to, by the radius of the penumbra in pixels.
 const CONFIDENCE_Z: [f32; 2] = [1.0, 2.0];
+/// The same of the visibility of all directions.
+const CONFIDENCE_Z_OF_AMBIENT: f32 = 3.0;
 /// Frames up to which the deviation is at least that of the surroundings.
 const SHORT_HISTORY: f32 = 8.0;
 /// Variance of a look by the cubic, as a share of that by 2×2 pixels.
@@ -55,6 +57,8 @@ pub(crate) struct VisibilityAccumulationInputs<'a> {
     pub samples: &'a Image<(Visible, f32)>,
     /// By what occluders move.
     pub occluders: Occluders<'a>,
+    /// Whether the visibility is that of all directions, and of no light.
+    pub ambient: bool,
     /// Guide and output of this stage of the previous frame; not read in a reset frame, and `None` is treated as one.
     pub previous: Option<(&'a Image<[u16; 4]>, &'a Image<VisibilityHistory>)>,
 }
@@ -82,6 +86,7 @@ struct Surroundings<'a> {
     rect: RenderRect,
     ruler: Ruler,
     light_radius: f32,
+    ambient: bool,
     p: IVec2,
 }
 
@@ -115,7 +120,7 @@ pub(crate) fn visibility_accumulation(
         let gradient = unpack_depth_gradient(inputs.depth_gradient.at(p));
         let ruler = Ruler::new(frame, surface.linear_depth, gradient);
         let rect = RenderRect::new(frame.render_extent);
-        let around = Surroundings { geometry: &geometry, samples: &samples, rect, ruler, light_radius, p };
+        let around = Surroundings { geometry: &geometry, samples: &samples, rect, ruler, light_radius, ambient: inputs.ambient, p };
         let search = around.search();
         let past = previous.zip(before.as_ref()).and_then(|((_, history), surfaces)| {
             let motion = unpack_surface_motion(inputs.surface_motion.at(p));
@@ -128,7 +133,7 @@ pub(crate) fn visibility_accumulation(
                 Some((VisibilityHistory { mean, ..past }, CUBIC_BLUR * blur))
             };
             let receiver = Receiver::new(frame, &projections, &surface, p, &motion, reprojected.s);
-            let shadow = search.nearest.and_then(|nearest| occluders.shadow_before(frame, &projections, &receiver, nearest));
+            let shadow = search.nearest.filter(|_| !inputs.ambient).and_then(|nearest| occluders.shadow_before(frame, &projections, &receiver, nearest));
             shadow.and_then(|at| past_at(reprojected.at(at.position, at.linear_depth))).or_else(|| past_at(reprojected))
         });
         let Sample { visibility, distance } = samples.at(p);
@@ -222,8 +227,10 @@ impl Surroundings<'_> {
         let fresh = VisibilityHistory { mean: v, deviation: 0.0, history_length: 1.0, occluder_distance: distance };
         let result = past.map_or(fresh, |(before, blur)| {
             let pixels = radius / self.ruler.squared_lengths().max_element().sqrt();
+            let z = if self.ambient { CONFIDENCE_Z_OF_AMBIENT } else { pixels.clamp(CONFIDENCE_Z[0], CONFIDENCE_Z[1]) };
             let bounded = each(|c| {
-                let [from, to] = bounds([occluded[c], lit[c]], [sum, of_lit[c]], pixels);
+                let kinds = (!self.ambient).then_some([occluded[c], lit[c]]);
+                let [from, to] = bounds(kinds, [sum, of_lit[c]], z);
                 before.mean[c].clamp(from, to)
             });
             let before = VisibilityHistory { occluder_distance: distance, ..before };
@@ -238,18 +245,17 @@ impl Surroundings<'_> {
     }
 }
 
-/// The range of the mean that the samples of this frame allow: only lit, only occluded, or the interval of \[Wilson 1927\].
-fn bounds([occluded, lit]: [f32; 2], [n, of_lit]: [f32; 2], pixels: f32) -> [f32; 2] {
-    if occluded <= NOTHING && lit > NOTHING {
-        return [1.0; 2];
-    }
-    if lit <= NOTHING && occluded > NOTHING {
-        return [0.0; 2];
+/// The range of the mean that the samples of this frame allow: only lit, only occluded, where their kinds count, or the interval of
+/// \[Wilson 1927\].
+fn bounds(kinds: Option<[f32; 2]>, [n, of_lit]: [f32; 2], z: f32) -> [f32; 2] {
+    match kinds {
+        Some([occluded, lit]) if occluded <= NOTHING && lit > NOTHING => return [1.0; 2],
+        Some([occluded, lit]) if lit <= NOTHING && occluded > NOTHING => return [0.0; 2],
+        _ => {}
     }
     if n <= NOTHING {
         return [0.0, 1.0];
     }
-    let z = pixels.clamp(CONFIDENCE_Z[0], CONFIDENCE_Z[1]);
     let squared = z * z;
     let middle = (of_lit + squared / 2.0) / (n + squared);
     let half_width = z / (n + squared) * (of_lit * (n - of_lit) / n + squared / 4.0).max(0.0).sqrt();
@@ -300,6 +306,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
                 transforms: transforms.as_deref(),
                 light,
             },
+            ambient: b.is_on("AMBIENT")?,
             previous: Some((b.packed("previous_guide")?, &history)),
         };
         let (history, statistics) = visibility_accumulation(b.frame, b.tuning, &inputs);

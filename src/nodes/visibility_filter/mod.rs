@@ -6,7 +6,8 @@ pub(crate) mod twin;
 
 use super::pass;
 use crate::contract::Lifetime;
-use crate::graph::{Graph, Guides, Image, Visibility, VisibilityAccumulated, CONFIDENCE, HDR};
+use crate::graph::{Graph, Guides, Image, Lights, Visibility, VisibilityAccumulated, CONFIDENCE, HDR};
+use crate::nodes::visibility_samples::radius_of;
 use crate::shaders::{self, Shader};
 
 /// Levels that a filter of visibility may have.
@@ -17,7 +18,7 @@ impl Graph {
     /// pixels, five for 18; a level that a pixel's penumbrae do not need leaves it as it is.
     pub fn visibility_filter(&mut self, guides: &Guides, accumulated: &VisibilityAccumulated, levels: u32) -> Visibility {
         let node = self.node("visibility_filter", "");
-        let (count, coloured) = (accumulated.lights(), accumulated.images().len() > 1);
+        let lights @ Lights { count, coloured, .. } = accumulated.lights();
         let format = if coloured { HDR } else { CONFIDENCE };
         let filtered: Vec<Image> = (0..count)
             .map(|light| {
@@ -27,7 +28,7 @@ impl Graph {
             .collect();
         if !(1..=MOST_LEVELS).contains(&levels) {
             self.fail(&node, "levels", format!("{levels} levels were given; allowed is 1 to {MOST_LEVELS}"));
-            return self.port_of_words(&filtered, count);
+            return self.port_of_words(&filtered, lights);
         }
         let mut scratch = [const { Vec::new() }; 2];
         let mut from = accumulated.images().to_vec();
@@ -37,13 +38,14 @@ impl Graph {
             if !is_last && scratch[index].is_empty() {
                 let names =
                     [["visibility_even", "visibility_even_colours"], ["visibility_odd", "visibility_odd_colours"]][index];
-                scratch[index] = self.words_of_lights(names, count, coloured);
+                scratch[index] = self.words_of_lights(names, lights);
             }
             let to = if is_last { &filtered } else { &scratch[index] };
             let mut pass = pass(&node, module(is_last, count > 1, coloured))
                 .named(format!("{node}_{level}"))
                 .level(level)
                 .lights(count)
+                .value("light_radius", radius_of(lights))
                 .constant("FIRST", u32::from(level == 0))
                 .bind("guide", guides.guide)
                 .bind("depth_gradient", guides.depth_gradient)
@@ -57,7 +59,7 @@ impl Graph {
             self.add(pass);
             from = to.iter().map(|image| self.refreshed(*image)).collect();
         }
-        self.port_of_words(&from, count)
+        self.port_of_words(&from, lights)
     }
 }
 

@@ -44,6 +44,7 @@ impl Sequence {
             depth_gradient: &g.depth_gradient,
             samples,
             occluders: Occluders { distance: Some(&distance), id: Some(&id), transforms, ..Default::default() },
+            ambient: false,
             previous: self.history.as_ref().map(|history| (&g.guide, history)),
         };
         let (history, _) = visibility_accumulation(&self.frame, &self.tuning, &inputs);
@@ -152,6 +153,7 @@ fn occluders_without_a_motion_that_can_be_used_are_counted() {
             depth_gradient: &g.depth_gradient,
             samples: &shadow,
             occluders,
+            ambient: false,
             previous: Some((&g.guide, &history)),
         };
         let (_, statistics) = visibility_accumulation(frame, &svgf_tuning(), &inputs);

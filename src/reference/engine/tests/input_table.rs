@@ -18,6 +18,7 @@ fn asking_for(input: &Input) -> Config {
         forward_motion: true,
         volume: true,
         visibility: 4,
+        ambient_occlusion: true,
         ..Config::new(EXTENT)
     };
     let apart = Config { signals: Signals::Apart, ..everything };
