@@ -210,6 +210,8 @@ inputs! {
         captured(&["hitdist", "hit_distance"], &["D"]);
     /// the `surface_id` at that hit: with `instance_transforms`, moving things in mirrors, and moving mirrors, are followed
     SPECULAR_HIT_ID = "specular_hit_id": Guide Id, true, Some(Counter::HitId), captured(&["hit_id"], &["I"]);
+    /// before that id: previous − current place of the hit, world space
+    SPECULAR_MOTION = "specular_motion": Guide Vector, true, Some(Counter::SpecularMotion), captured(&["specular_motion"], XYZ);
     /// with `Config::forward_motion`, for gradients: motion of deforming surfaces from the previous frame to this one
     FORWARD_MOTION = "forward_motion": Change Vector, false, Some(Counter::ForwardMotion), captured(&["forward_motion"], XYZ);
     /// with `GradientSource::Reshaded`: the paths of the previous frame, traced again in this scene

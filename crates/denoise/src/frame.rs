@@ -149,6 +149,10 @@ fn fill(channels: &mut Channels<'_>, camera: Option<&Camera>, images: &mut BTree
         images.extend(channels.volume().map(|v| ("noisy_volume", v)));
         images.extend(channels.vectors(Role::ScatteringDepth).map(|d| ("scattering_depth", d)));
     }
+    if config.ambient_occlusion {
+        images.extend(channels.vectors(Role::Ambient).map(|v| (Input::NOISY_AMBIENT.name, v)));
+        images.extend(channels.vectors(Role::AmbientDistance).map(|d| (Input::AMBIENT_DISTANCE.name, d)));
+    }
     for light in 0..config.visibility as usize {
         let given = [
             (Role::Visibility(light), Input::NOISY_VISIBILITY[light]),

@@ -36,8 +36,12 @@ impl Channels<'_> {
             let Some(Samples::Float(values)) = self.samples.get(name) else { return None };
             for ((texel, value), bad) in texels.iter_mut().zip(values).zip(&mut bad) {
                 // An infinite depth is the sky, or nothing in the way; what is no visibility, the filter counts itself.
-                let is_distance = matches!(role, Role::Depth | Role::OccluderDistance(_)) && !value.is_nan();
-                let usable = self.setup.is_verbatim() || value.is_finite() || is_distance || matches!(role, Role::Visibility(_));
+                let is_distance =
+                    matches!(role, Role::Depth | Role::OccluderDistance(_) | Role::AmbientDistance) && !value.is_nan();
+                let usable = self.setup.is_verbatim()
+                    || value.is_finite()
+                    || is_distance
+                    || matches!(role, Role::Visibility(_) | Role::Ambient);
                 *bad |= !usable;
                 texel[component] = if usable { *value } else { 0.0 };
             }
@@ -153,6 +157,7 @@ impl Channels<'_> {
         if is_specular {
             images.extend(self.vectors(Role::SpecularAlbedo).map(|a| ("specular_albedo", a)));
             images.extend(self.vectors(Role::HitDistance).map(|d| ("specular_hit_distance", d)));
+            images.extend(self.vectors(Role::HitMotion).map(|m| (Input::SPECULAR_MOTION.name, m)));
         }
         let normal = self.vectors(Role::Normal).unwrap_or_else(|| vec![[0.0, 0.0, 1.0, 0.0]; pixels]);
         images.insert("normal", normal);

@@ -27,6 +27,8 @@ pub enum Role {
     HitDistance,
     /// [`Role::Id`] of what is seen in it.
     HitId,
+    /// Where that thing was, minus where it is.
+    HitMotion,
     /// Emitters and environment seen directly, without noise.
     Emission,
     /// A further emission that is added to the first (Blender's `Env`).
@@ -79,6 +81,10 @@ pub enum Role {
     VolumeIndirect,
     /// Depth at which it did.
     ScatteringDepth,
+    /// Whether rays into the hemisphere hit nothing.
+    Ambient,
+    /// How far away is what they hit.
+    AmbientDistance,
     /// Visibility of a light, 0 to 3, apart from the paths.
     Visibility(usize),
     /// How far along the shadow ray to that light something is in the way.
@@ -131,6 +137,7 @@ const ROLES: &[(Role, &str, Kind, &str)] = &[
     (Role::SpecularAlbedo, "specular_albedo", Kind::Colour, ""),
     (Role::HitDistance, "hit_distance", Kind::Scalar, ""),
     (Role::HitId, "hit_id", Kind::Id, ""),
+    (Role::HitMotion, "specular_motion", Kind::Vector, ""),
     (Role::Emission, "emission", Kind::Colour, "lights and sky are filtered with everything else instead of passing through"),
     (Role::Environment, "environment", Kind::Colour, ""),
     (Role::DemodulatedDirect, "demodulated_direct", Kind::Colour, ""),
@@ -162,6 +169,8 @@ const ROLES: &[(Role, &str, Kind, &str)] = &[
     (Role::Volume, "volume", Kind::Colour, ""),
     (Role::VolumeIndirect, "volume_indirect", Kind::Colour, ""),
     (Role::ScatteringDepth, "scattering_depth", Kind::Scalar, ""),
+    (Role::Ambient, "ambient", Kind::Scalar, ""),
+    (Role::AmbientDistance, "ambient_distance", Kind::Scalar, ""),
     (Role::Visibility(0), "visibility", Kind::Colour, ""),
     (Role::OccluderDistance(0), "occluder_distance", Kind::Scalar, ""),
     (Role::OccluderId(0), "occluder_id", Kind::Id, ""),

@@ -113,6 +113,7 @@ impl Setup {
         config.volume = mapping.has(Role::Volume) && config.preset != Preset::Volume;
         let is_apart = |light: &usize| mapping.has(Role::Visibility(*light)) && mapping.has(Role::OccluderDistance(*light));
         config.visibility = (0..4).take_while(is_apart).count() as u32;
+        config.ambient_occlusion = mapping.has(Role::Ambient) && mapping.has(Role::AmbientDistance);
         // A capture says so itself.
         config.coloured_visibility |=
             captured.is_none() && mapping.roles.get(&Role::Visibility(0)).is_some_and(|names| names.len() > 1);

@@ -34,6 +34,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         albedo: b.optional_colour("albedo")?,
         instances: Instances {
             hit_id: b.optional_uint("specular_hit_id")?,
+            motion: b.optional_colour("specular_motion")?,
             surface_id: b.optional_uint("surface_id")?,
             transforms: transforms.as_deref(),
         },

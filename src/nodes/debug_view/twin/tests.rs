@@ -173,7 +173,7 @@ fn virtual_motion_follows_the_thing_in_the_mirror() {
     let reflection = Image::new(EXTENT, pack_reflection(&SeenReflection { hit_distance: 4.0, roughness: 0.0 }, None));
     for (id, wanted) in [(1, 0.0), (2, 2.0 * 7.0 / 8.0)] {
         let hit_id = Image::new(EXTENT, id);
-        let instances = Instances { hit_id: Some(&hit_id), surface_id: None, transforms: Some(&transforms) };
+        let instances = Instances { hit_id: Some(&hit_id), transforms: Some(&transforms), ..Default::default() };
         let statistics = Statistics::default();
         let inputs = DebugViewInputs { reflection: Some(&reflection), instances, ..bare(&guides, &statistics) };
         let given = debug_view(&frame, &Tuning::default(), &inputs, DebugView::VirtualMotion).at(IVec2::new(8, 7))[3];

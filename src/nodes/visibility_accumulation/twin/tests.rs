@@ -186,6 +186,7 @@ fn a_reset_frame_and_the_background_have_no_past() {
     let g = guides(EXTENT, |x, _| if x < 4 { Default::default() } else { surface(1.0) });
     let lit = samples(|_, _| (1.0, 0.0));
     let inputs = VisibilityAccumulationInputs {
+        ambient: false,
         guide: &g.guide,
         surface_motion: &g.surface_motion,
         depth_gradient: &Image::new(EXTENT, pack_depth_gradient([0.0; 2])),
