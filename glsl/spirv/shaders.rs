@@ -186,7 +186,7 @@ pub(crate) static DEBUG_VIEW: Shader = Shader {
         ShaderBinding { number: 20, name: Cow::Borrowed("specular_hit_id"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
         ShaderBinding { number: 21, name: Cow::Borrowed("surface_id"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
         ShaderBinding { number: 22, name: Cow::Borrowed("instance_transforms"), kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly), optional: true },
-        ShaderBinding { number: 23, name: Cow::Borrowed("specular_motion"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 23, name: Cow::Borrowed("specular_motion"), kind: BindingKind::SampledImage(Component::Float), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("view"), offset: 0, scalar: Scalar::Uint },
