@@ -139,7 +139,9 @@ pub fn outputs() -> BTreeSet<String> {
 fn the_inputs_name_every_output() {
     let names = outputs();
     let page = include_str!("../docs/inputs.md");
-    let missing: Vec<_> = names.iter().filter(|name| !page.contains(&format!("| `{name}` |"))).collect();
+    // Those of further lights have one row with the first.
+    let row = |name: &str| name.trim_end_matches(['1', '2', '3']).trim_end_matches('_').to_owned();
+    let missing: Vec<_> = names.iter().filter(|name| !page.contains(&format!("| `{}` |", row(name)))).collect();
     assert!(names.len() > 6 && missing.is_empty(), "docs/inputs.md has no row for {missing:?}");
 }
 

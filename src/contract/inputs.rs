@@ -229,22 +229,22 @@ inputs! {
     /// volume its own motion
     SCATTERING_DEPTH = "scattering_depth": Guide Scalar, true, Some(Counter::ScatteringDepth),
         captured(&["scattering_depth"], &["Z"]);
-    /// with `Config::ambient_occlusion`: 0 where a ray into the hemisphere, drawn by the cosine, hit something, else 1
+    /// with `Config::ambient_occlusion`: 1 where a ray, drawn by the cosine, hit nothing, else 0
     NOISY_AMBIENT = "noisy_ambient": Signal Scalar, false, Some(Counter::Visibility), captured(&["ambient"], Z);
-    /// with `Config::ambient_occlusion`: distance of that hit, scene units; 0 or infinite: none
+    /// distance of that hit, scene units; 0 or infinite: none
     AMBIENT_DISTANCE = "ambient_distance": Guide Scalar, false, Some(Counter::OccluderDistance),
         captured(&["ambient_distance"], Z);
     each light {
         /// with `Config::visibility`: 0 (occluded) to 1 (lit), by one shadow ray; red alone, unless `Config::coloured_visibility`. Leave
         /// this light out of the noisy radiance
         NOISY_VISIBILITY = "noisy_visibility": Signal Colour, false, Some(Counter::Visibility), "visibility" RGB;
-        /// with `Config::visibility`: distance of the occluder along the shadow ray, scene units; 0 or infinite: none or not known
+        /// distance of the occluder along the shadow ray, scene units; 0 or infinite: none
         OCCLUDER_DISTANCE = "occluder_distance": Guide Scalar, false, Some(Counter::OccluderDistance), "occluder_distance" Z;
         /// the `surface_id` of the occluder: with `instance_transforms` and `FrameParams::lights`, moving shadows are followed
         OCCLUDER_ID = "occluder_id": Guide Id, true, Some(Counter::OccluderId), "occluder_id" I;
         /// instead of ids: previous − current place of the occluding point, world space
         OCCLUDER_MOTION = "occluder_motion": Guide Vector, true, Some(Counter::OccluderMotion), "occluder_motion" XYZ;
-        /// with `Config::visibility`: the reflected light without occluders, albedo included; `denoised_radiance` then has the product
+        /// the reflected light without occluders, albedo included; `denoised_radiance` then has the product
         UNSHADOWED_DIRECT = "unshadowed_direct": Composition Colour, true, Some(Counter::Radiance), "unshadowed_direct" RGB;
     }
 }

@@ -167,7 +167,7 @@ impl Shadow {
         // Four scene units from one board to the next; the penumbra on both sides grows along it.
         let [x, y] = [camera + direction[0] * depth, direction[1] * depth];
         // Each lamp has boards of its own.
-        let (x, y) = if lamp % 2 == 0 { (x + lamp as f32, y) } else { (y + lamp as f32, x) };
+        let (x, y) = if lamp.is_multiple_of(2) { (x + lamp as f32, y) } else { (y + lamp as f32, x) };
         let distance = 20.0 + 12.0 * (y + 3.0);
         let from_edge = (x.rem_euclid(4.0) - 2.0).abs() - 1.0;
         Self { visibility: (0.5 + 0.5 * from_edge / (LIGHT_RADIUS * distance)).clamp(0.0, 1.0), distance }
