@@ -100,10 +100,10 @@
 // guide, number, optional: with Config::volume: linear depth of a point that contributes much, for example chosen by transmittance; gives the volume its own motion
 #define ATROUS_INPUT_SCATTERING_DEPTH "scattering_depth"
 
-// signal, number: with Config::ambient_occlusion: 0 where a ray into the hemisphere, drawn by the cosine, hit something, else 1
+// signal, number: with Config::ambient_occlusion: 1 where a ray, drawn by the cosine, hit nothing, else 0
 #define ATROUS_INPUT_NOISY_AMBIENT "noisy_ambient"
 
-// guide, number: with Config::ambient_occlusion: distance of that hit, scene units; 0 or infinite: none
+// guide, number: distance of that hit, scene units; 0 or infinite: none
 #define ATROUS_INPUT_AMBIENT_DISTANCE "ambient_distance"
 
 // signal, colour: with Config::visibility: 0 (occluded) to 1 (lit), by one shadow ray; red alone, unless Config::coloured_visibility. Leave this light out of the noisy radiance
@@ -118,16 +118,16 @@
 // signal, colour: with Config::visibility: 0 (occluded) to 1 (lit), by one shadow ray; red alone, unless Config::coloured_visibility. Leave this light out of the noisy radiance
 #define ATROUS_INPUT_NOISY_VISIBILITY_3 "noisy_visibility_3"
 
-// guide, number: with Config::visibility: distance of the occluder along the shadow ray, scene units; 0 or infinite: none or not known
+// guide, number: distance of the occluder along the shadow ray, scene units; 0 or infinite: none
 #define ATROUS_INPUT_OCCLUDER_DISTANCE "occluder_distance"
 
-// guide, number: with Config::visibility: distance of the occluder along the shadow ray, scene units; 0 or infinite: none or not known
+// guide, number: distance of the occluder along the shadow ray, scene units; 0 or infinite: none
 #define ATROUS_INPUT_OCCLUDER_DISTANCE_1 "occluder_distance_1"
 
-// guide, number: with Config::visibility: distance of the occluder along the shadow ray, scene units; 0 or infinite: none or not known
+// guide, number: distance of the occluder along the shadow ray, scene units; 0 or infinite: none
 #define ATROUS_INPUT_OCCLUDER_DISTANCE_2 "occluder_distance_2"
 
-// guide, number: with Config::visibility: distance of the occluder along the shadow ray, scene units; 0 or infinite: none or not known
+// guide, number: distance of the occluder along the shadow ray, scene units; 0 or infinite: none
 #define ATROUS_INPUT_OCCLUDER_DISTANCE_3 "occluder_distance_3"
 
 // guide, id, optional: the surface_id of the occluder: with instance_transforms and FrameParams::lights, moving shadows are followed
@@ -154,16 +154,16 @@
 // guide, vector, optional: instead of ids: previous − current place of the occluding point, world space
 #define ATROUS_INPUT_OCCLUDER_MOTION_3 "occluder_motion_3"
 
-// composition, colour, optional: with Config::visibility: the reflected light without occluders, albedo included; denoised_radiance then has the product
+// composition, colour, optional: the reflected light without occluders, albedo included; denoised_radiance then has the product
 #define ATROUS_INPUT_UNSHADOWED_DIRECT "unshadowed_direct"
 
-// composition, colour, optional: with Config::visibility: the reflected light without occluders, albedo included; denoised_radiance then has the product
+// composition, colour, optional: the reflected light without occluders, albedo included; denoised_radiance then has the product
 #define ATROUS_INPUT_UNSHADOWED_DIRECT_1 "unshadowed_direct_1"
 
-// composition, colour, optional: with Config::visibility: the reflected light without occluders, albedo included; denoised_radiance then has the product
+// composition, colour, optional: the reflected light without occluders, albedo included; denoised_radiance then has the product
 #define ATROUS_INPUT_UNSHADOWED_DIRECT_2 "unshadowed_direct_2"
 
-// composition, colour, optional: with Config::visibility: the reflected light without occluders, albedo included; denoised_radiance then has the product
+// composition, colour, optional: the reflected light without occluders, albedo included; denoised_radiance then has the product
 #define ATROUS_INPUT_UNSHADOWED_DIRECT_3 "unshadowed_direct_3"
 
 // Choices, by the names of the fields that take them.
