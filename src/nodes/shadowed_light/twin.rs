@@ -68,7 +68,8 @@ mod tests {
             [[2.0, 4.0, 8.0, 0.0], [f32::NAN, 1.0, 1.0, 0.0], [1.0, f32::INFINITY, 1.0, 0.0], [-1.0, 1e9, 1.0, 0.0]][x as usize]
         });
         let radiance = Image::new([4, 1], [1.0, 1.0, 1.0, 1.0]);
-        let (sum, statistics) = shadowed_light(&frame([4, 1]), &radiance, &[(&light, Image::new([4, 1], [0.5, 0.5, 0.25]))], Outgoing::Halves);
+        let (sum, statistics) =
+            shadowed_light(&frame([4, 1]), &radiance, &[(&light, Image::new([4, 1], [0.5, 0.5, 0.25]))], Outgoing::Halves);
         assert_eq!(sum.texels(), [[2.0, 3.0, 3.0, 1.0], [1.0; 4], [1.0; 4], [1.0, 32752.0, 1.25, 1.0]]);
         assert_eq!(statistics[Counter::Radiance], 2);
     }

@@ -13,7 +13,7 @@ use crate::reference::shadow_motion::{Occluders, Receiver};
 use crate::reference::statistics::count;
 use crate::reference::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
 use crate::reference::visibility::{
-    each, halves_of, histories_of, largest, lights_of, of_light, pack_visibility, write_words, Ruler, Visible, VisibilityHistory,
+    each, halves_of, histories_of, largest, lights_of, of_light, pack_visibility, write_words, Ruler, VisibilityHistory, Visible,
     LONGEST_HISTORY,
 };
 use crate::reference::{render_rect::RenderRect, Image};
@@ -133,7 +133,10 @@ pub(crate) fn visibility_accumulation(
                 Some((VisibilityHistory { mean, ..past }, CUBIC_BLUR * blur))
             };
             let receiver = Receiver::new(frame, &projections, &surface, p, &motion, reprojected.s);
-            let shadow = search.nearest.filter(|_| !inputs.ambient).and_then(|nearest| occluders.shadow_before(frame, &projections, &receiver, nearest));
+            let shadow = search
+                .nearest
+                .filter(|_| !inputs.ambient)
+                .and_then(|nearest| occluders.shadow_before(frame, &projections, &receiver, nearest));
             shadow.and_then(|at| past_at(reprojected.at(at.position, at.linear_depth))).or_else(|| past_at(reprojected))
         });
         let Sample { visibility, distance } = samples.at(p);

@@ -36,8 +36,7 @@ impl Graph {
             let is_last = level + 1 == levels;
             let index = (level % 2) as usize;
             if !is_last && scratch[index].is_empty() {
-                let names =
-                    [["visibility_even", "visibility_even_colours"], ["visibility_odd", "visibility_odd_colours"]][index];
+                let names = [["visibility_even", "visibility_even_colours"], ["visibility_odd", "visibility_odd_colours"]][index];
                 scratch[index] = self.words_of_lights(names, lights);
             }
             let to = if is_last { &filtered } else { &scratch[index] };

@@ -6,7 +6,7 @@ use crate::reference::geometry_weights::Geometry;
 use crate::reference::rules::{pixels, rule, WEIGHTED};
 use crate::reference::surface_motion::unpack_depth_gradient;
 use crate::reference::visibility::{
-    each, halves_of, histories_of, largest, lights_of, of_light, pack_halves, write_words, Ruler, Visible, VisibilityHistory,
+    each, halves_of, histories_of, largest, lights_of, of_light, pack_halves, write_words, Ruler, VisibilityHistory, Visible,
 };
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Error, FrameConstants, Tuning};

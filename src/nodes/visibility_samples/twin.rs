@@ -41,7 +41,11 @@ pub(crate) fn visibility_samples(
 }
 
 /// How what it writes is compared with the GPU.
-pub(crate) const RULES: &[Rule] = &[STATISTICS, rule("visibility_samples", Unit::Pixel, Reading::Halves, HALF), rule("sample_colours", Unit::Pixel, Reading::Halves, HALF)];
+pub(crate) const RULES: &[Rule] = &[
+    STATISTICS,
+    rule("visibility_samples", Unit::Pixel, Reading::Halves, HALF),
+    rule("sample_colours", Unit::Pixel, Reading::Halves, HALF),
+];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {

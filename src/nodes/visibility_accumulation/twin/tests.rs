@@ -132,8 +132,9 @@ fn a_shadow_that_moves_takes_its_history_along() {
             last = sequence.frame(&edge(2.0 + i as f32 / 2.0, 5.0, i));
         }
         let expected = |x: i32| (0.5 + 0.5 * (x as f32 + 0.5 - 13.5) / 5.0_f32).clamp(0.0, 1.0);
-        let squares =
-            (0..24).flat_map(|y| (9..18).map(move |x| (x, y))).map(|(x, y)| (last.at(IVec2::new(x, y)).mean[0] - expected(x)).powi(2));
+        let squares = (0..24)
+            .flat_map(|y| (9..18).map(move |x| (x, y)))
+            .map(|(x, y)| (last.at(IVec2::new(x, y)).mean[0] - expected(x)).powi(2));
         (squares.sum::<f32>() / (24.0 * 9.0)).sqrt()
     };
     let (without, with) = (error(None), error(Some(moved)));
