@@ -3,7 +3,8 @@
 // Source: [Mehta et al. 2012], the filter's width from the distances of occluders; the search is that of [Fernando 2005]; history by [SVGF]
 // 4.1, bounded by the interval of [Wilson 1927]. Ours: how far a penumbra reaches, and that motion may not blur more than a penumbra does.
 // What casts a shadow is followed as [Zeng et al. 2021] 4.1.
-// In:  visibility_samples, sample_colours, guide (current, previous), surface_motion, depth_gradient, visibility_history and history_colours of
+// In:  visibility_samples, sample_colours, guide (current, previous), surface_motion, depth_gradient, visibility_history and
+// history_colours of
 // the previous frame; of the host occluder_distance, which samples have rounded; occluder_id; occluder_motion, scene units;
 // instance_transforms; of further lights the same with _1 to _3 behind.
 // Out: visibility_history, history_colours (visibility.glsl).
@@ -125,7 +126,8 @@ const float NOTHING = 1e-3;
 const float CLEARLY = 1.001;
 // Pixels that always count as near: an edge that is sharp, and stands still, runs between them.
 const float NEAR = 1.5;
-// Standard deviations of the interval that history is clamped to, by the radius of the penumbra in pixels: where motion blurs as much as the
+// Standard deviations of the interval that history is clamped to, by the radius of the penumbra in pixels: where motion blurs as much as
+// the
 // penumbra does, the few samples of this frame know better.
 const vec2 CONFIDENCE_Z = vec2(1.0, 2.0);
 // The same of all directions, whose visibility is near 1 in most places: a narrow interval would pull it down.
@@ -251,8 +253,10 @@ void search(inout Search found[MOST_LIGHTS], Centre centre, ivec2 p, Sample own[
         ivec2 offset = ivec2(place % 5 - 2, place / 5 - 2) * stride;
         if (i == 37) continue;
         WORDS words, colours;
-        float weight = tap_weight(centre, p, offset, words, colours), squared = squared_distance(centre.size, centre.edges.gradient, vec2(offset));
-        EACH_LIGHT(search_tap(found[light], light, centre, reaches[light], sample_of(word_of(words, light), word_of(colours, light)), weight, squared, p + offset))
+        float weight = tap_weight(centre, p, offset, words, colours), squared = squared_distance(centre.size, centre.edges.gradient,
+            vec2(offset));
+        EACH_LIGHT(search_tap(found[light], light, centre, reaches[light], sample_of(word_of(words, light), word_of(colours, light)),
+            weight, squared, p + offset))
     }
 }
 
@@ -266,8 +270,10 @@ void window(inout Window sum[MOST_LIGHTS], Centre centre, ivec2 p, float radius[
     [[dont_unroll]] for (int i = 0; i < 25; ++i) {
         ivec2 offset = ivec2(i % 5 - 2, i / 5 - 2);
         WORDS words, colours;
-        float weight = tap_weight(centre, p, offset, words, colours), squared = squared_distance(centre.size, centre.edges.gradient, vec2(offset));
-        EACH_LIGHT(window_tap(sum[light], sample_of(word_of(words, light), word_of(colours, light)), weight, reach(squared, radius[light] + NEAR * centre.longer)))
+        float weight = tap_weight(centre, p, offset, words, colours), squared = squared_distance(centre.size, centre.edges.gradient,
+            vec2(offset));
+        EACH_LIGHT(window_tap(sum[light], sample_of(word_of(words, light), word_of(colours, light)), weight, reach(squared,
+            radius[light] + NEAR * centre.longer)))
     }
 }
 
@@ -277,7 +283,8 @@ vec2 bounds(float occluded, float lit, float weight, float of_lit, float pixels)
     if (!AMBIENT && occluded <= NOTHING && lit > NOTHING) return vec2(1.0);
     if (!AMBIENT && lit <= NOTHING && occluded > NOTHING) return vec2(0.0);
     if (weight <= NOTHING) return vec2(0.0, 1.0);
-    float z = AMBIENT ? CONFIDENCE_Z_OF_AMBIENT : clamp(pixels, CONFIDENCE_Z.x, CONFIDENCE_Z.y), squared = z * z, n = weight, inverse = 1.0 / (n + squared);
+    float z = AMBIENT ? CONFIDENCE_Z_OF_AMBIENT : clamp(pixels, CONFIDENCE_Z.x, CONFIDENCE_Z.y), squared = z * z, n = weight,
+        inverse = 1.0 / (n + squared);
     float middle = (of_lit + 0.5 * squared) * inverse;
     float half_width = z * inverse * sqrt(max(0.0, of_lit * (n - of_lit) / n + 0.25 * squared));
     return clamp(vec2(middle - half_width, middle + half_width), 0.0, 1.0);
@@ -393,7 +400,8 @@ void count_bad_occluder(const int light, ivec2 p, Sample own) {
 // Where the shadow that reaches the pixel lay in the previous frame, pixels, and its linear depth there. False: where the surface was.
 bool shadow_place(const int light, Receiver receiver, Search found, out vec2 place, out float depth) {
     vec3 shadow;
-    bool moved = !AMBIENT && found.nearest_weight > 0.0 && shadow_before(receiver, light, found.nearest, shadow) && previous_pixel_position(shadow, place);
+    bool moved = !AMBIENT && found.nearest_weight > 0.0 && shadow_before(receiver, light, found.nearest,
+        shadow) && previous_pixel_position(shadow, place);
     depth = (frame.previous_view_from_world * vec4(shadow, 1.0)).z * forward_sign();
     return moved;
 }
@@ -435,7 +443,8 @@ VisibilityHistory accumulate(VISIBLE v, VisibilityHistory before, Search found, 
     VISIBLE mean = bounded(before.mean, found, around, pixels);
     float difference = largest(abs(v - before.mean));
     float variance = (1.0 - alpha) * (before.deviation * before.deviation + alpha * difference * difference);
-    return VisibilityHistory(alpha < 1.0 ? mix(mean, v, alpha) : v, sqrt(variance), min(history_length, 1.0 / alpha), before.occluder_distance);
+    return VisibilityHistory(alpha < 1.0 ? mix(mean, v, alpha) : v, sqrt(variance), min(history_length, 1.0 / alpha),
+        before.occluder_distance);
 }
 
 float distance_of(Search found, Gathered past) {
@@ -449,7 +458,8 @@ void put(inout WORDS words, inout WORDS colours, const int light, VisibilityHist
 }
 
 // What the next frame finds of a light.
-void finish(inout WORDS words, inout WORDS colours, const int light, Centre centre, Sample own, Search found, Gathered past, Window around) {
+void finish(inout WORDS words, inout WORDS colours, const int light, Centre centre, Sample own, Search found, Gathered past,
+    Window around) {
     float distance = distance_of(found, past), radius = radius_of(light) * distance;
     VISIBLE share = around.weight > NOTHING ? around.lit / around.weight : VISIBLE(1.0), v = exists(own) ? own.visibility : share;
     VisibilityHistory result = VisibilityHistory(v, 0.0, 1.0, distance);
@@ -457,7 +467,8 @@ void finish(inout WORDS words, inout WORDS colours, const int light, Centre cent
         vec2 lengths = squared_lengths(centre);
         float inverse = 1.0 / past.weight;
         VISIBLE variance = past.second_moment * inverse - past.plain_mean * past.plain_mean * inverse * inverse;
-        VisibilityHistory before = VisibilityHistory(past.mean * inverse, sqrt(max(0.0, largest(variance))), past.history_length * inverse, distance);
+        VisibilityHistory before = VisibilityHistory(past.mean * inverse, sqrt(max(0.0, largest(variance))), past.history_length * inverse,
+            distance);
         float pixels = radius * inversesqrt(max(lengths.x, lengths.y));
         result = accumulate(v, before, found, around, pixels, past.blur, tolerated_blur(centre, radius));
     }

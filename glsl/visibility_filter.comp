@@ -1,9 +1,9 @@
 #version 450
 // One level of the filter of a visibility: along the surface, no wider than its penumbra, guided by variance.
 // Source: [Mehta et al. 2012], filter width from the penumbra; levels and weights as [SVGF] 4.3. Ours: how the levels share the width.
-// In:  guide, depth_gradient, visibility_history (distance of the occluder; with FIRST, and history_colours, the visibility as well), filter_in:
-//      half2(visibility, deviation of it), filter_in_colours: half2(green, blue). Out: filter_out, filter_out_colours: the same, or with LAST
-//      denoised_visibility, of further lights with _1 to _3 behind.
+// In:  guide, depth_gradient, visibility_history (distance of the occluder; with FIRST, and history_colours, the visibility as well);
+//      filter_in: half2(visibility, deviation of it), filter_in_colours: half2(green, blue). Out: filter_out, filter_out_colours: the same;
+//      with LAST denoised_visibility, of further lights with _1 to _3 behind.
 // variants: LAST=0,MANY=0,COLOUR=0 LAST=1,MANY=0,COLOUR=0 LAST=0,MANY=0,COLOUR=1 LAST=1,MANY=0,COLOUR=1
 // variants: LAST=0,MANY=1,COLOUR=0 LAST=1,MANY=1,COLOUR=0 LAST=0,MANY=1,COLOUR=1 LAST=1,MANY=1,COLOUR=1
 // optional: denoised_visibility_1, denoised_visibility_2, denoised_visibility_3
@@ -83,7 +83,8 @@ layout(set = 0, binding = OF_OTHERS + 2u, DENOISED_FORMAT) uniform writeonly ima
 const float VISIBILITY_EPSILON = 0.01;
 // Squared pixels: a narrower filter changes nothing.
 const float NARROW = 0.02;
-// Along an edge light changes little: variance of the kernel in that direction at least, squared steps of the level, on the first levels; and
+// Along an edge light changes little: variance of the kernel in that direction at least, squared steps of the level, on the first levels;
+// and
 // how far a tap may lie aside for that, squared pixels.
 const float ALONG = 1.0;
 const float ASIDE = 0.1;
@@ -196,14 +197,17 @@ void towards_lights(inout Kernel kernels[MOST_LIGHTS], EdgeCentre centre, ivec2 
         WORDS words = words_at(tap), colours = colour_words_at(tap);
         EACH_LIGHT(slope_tap(slopes[light], own[light], estimate_of(word_of(words, light), word_of(colours, light)), weight, vec2(offset)))
     }
-    EACH_LIGHT(kernels[light].light = dot(slopes[light], slopes[light]) > 1e-6 ? slopes[light] * inversesqrt(dot(slopes[light], slopes[light])) : vec2(0.0))
+    EACH_LIGHT(kernels[light].light = dot(slopes[light], slopes[light]) > 1e-6 ? slopes[light] * inversesqrt(dot(slopes[light],
+        slopes[light])) : vec2(0.0))
 }
 
-void filter_tap(inout Sum sum, Kernel kernel, Estimate own, Estimate other, EdgeCentre centre, vec2 size, vec2 offset, float squared, float geometry) {
+void filter_tap(inout Sum sum, Kernel kernel, Estimate own, Estimate other, EdgeCentre centre, vec2 size, vec2 offset, float squared,
+    float geometry) {
     float way = squared * kernel.sharpness, full = float(1 << (2 * push.level));
     if (kernel.light != vec2(0.0)) {
         float across = dot(offset, kernel.light), along = dot(offset, vec2(-kernel.light.y, kernel.light.x));
-        float aside = min(squared_distance(size, centre.gradient, across * kernel.light) * kernel.sharpness, across * across * (LOG2_E / (2.0 * ASIDE)));
+        float aside = min(squared_distance(size, centre.gradient, across * kernel.light) * kernel.sharpness,
+            across * across * (LOG2_E / (2.0 * ASIDE)));
         way = min(way, aside + along * along * (LOG2_E / (2.0 * ALONG * full)));
     }
     float weight = geometry - way - largest(abs(other.visibility - own.visibility)) * kernel.tolerance;
@@ -220,9 +224,11 @@ void filter_lights(inout Estimate found[MOST_LIGHTS], Kernel kernels[MOST_LIGHTS
         ivec2 offset = ivec2(i % 5 - 2, i / 5 - 2) << push.level, tap = nearest_inside(p + offset);
         WORDS words = words_at(tap), colours = colour_words_at(tap);
         float squared = squared_distance(size, centre.gradient, vec2(offset)), geometry = geometry_at(centre, p, offset);
-        EACH_LIGHT(filter_tap(sums[light], kernels[light], found[light], estimate_of(word_of(words, light), word_of(colours, light)), centre, size, vec2(offset), squared, geometry))
+        EACH_LIGHT(filter_tap(sums[light], kernels[light], found[light], estimate_of(word_of(words, light), word_of(colours, light)),
+            centre, size, vec2(offset), squared, geometry))
     }
-    EACH_LIGHT(if (kernels[light].filters) found[light] = Estimate(sums[light].visibility / sums[light].weights, sqrt(sums[light].squares) / sums[light].weights))
+    EACH_LIGHT(if (kernels[light].filters) found[light] = Estimate(sums[light].visibility / sums[light].weights,
+        sqrt(sums[light].squares) / sums[light].weights))
 }
 
 Kernel kernel_of(const int light, uint history, Estimate own, vec2 size, inout bool any) {
