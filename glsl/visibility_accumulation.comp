@@ -4,8 +4,7 @@
 // 4.1, bounded by the interval of [Wilson 1927]. Ours: how far a penumbra reaches, and that motion may not blur more than a penumbra does.
 // What casts a shadow is followed as [Zeng et al. 2021] 4.1.
 // In:  visibility_samples, sample_colours, guide (current, previous), surface_motion, depth_gradient, visibility_history and
-// history_colours of
-// the previous frame; of the host occluder_distance, which samples have rounded; occluder_id; occluder_motion, scene units;
+// history_colours of the previous frame; of the host occluder_distance, which samples have rounded; occluder_id; occluder_motion, scene units;
 // instance_transforms; of further lights the same with _1 to _3 behind.
 // Out: visibility_history, history_colours (visibility.glsl).
 // variants: MANY=0,COLOUR=0 MANY=0,COLOUR=1 MANY=1,COLOUR=0 MANY=1,COLOUR=1
