@@ -6,7 +6,7 @@
 //      moves, each where the graph has it.
 // Out: debug_view. rgb: display-referred, linear 0..1; a: the number behind it. Constants: STRATUM_SIZE.
 // optional: surface_motion, luminance_history_0, luminance_history_1, block_percentiles_0, block_percentiles_1, history_0, history_1, history_confidence
-// optional: gradient, noisy_1, albedo, reflection, visibility_history, firefly_limits_0, firefly_limits_1
+// optional: gradient, noisy_1, albedo, reflection, visibility_history, specular_motion, firefly_limits_0, firefly_limits_1
 // optional: specular_hit_id, surface_id, instance_transforms
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -55,6 +55,7 @@ const uint FIREFLY_LIMITS_1 = 19u;
 const uint SPECULAR_HIT_ID = 20u;
 const uint SURFACE_ID = 21u;
 const uint INSTANCE_TRANSFORMS = 22u;
+const uint SPECULAR_MOTION = 23u;
 
 layout(set = 0, binding = 1, std430) readonly buffer Statistics { uint counts[12]; } statistics;
 PACKED_IMAGE(2, guide);
@@ -76,6 +77,7 @@ layout(set = 0, binding = VISIBILITY_HISTORY) uniform utexture2D visibility_hist
 layout(set = 0, binding = FIREFLY_LIMITS_0) uniform utexture2D firefly_limits_0;
 layout(set = 0, binding = FIREFLY_LIMITS_1) uniform utexture2D firefly_limits_1;
 layout(set = 0, binding = SPECULAR_HIT_ID) uniform utexture2D specular_hit_id;
+layout(set = 0, binding = SPECULAR_MOTION) uniform texture2D specular_motion;
 layout(set = 0, binding = SURFACE_ID) uniform utexture2D surface_id;
 layout(set = 0, binding = INSTANCE_TRANSFORMS, std430) readonly buffer InstanceTransforms { vec4 rows[]; } instance_transforms;
 
@@ -222,8 +224,8 @@ vec4 virtual_motion_at(ivec2 p, GuideBits packed) {
     vec2 motion = is_present(SURFACE_MOTION) ? motion_at(p) : vec2(0.0), position;
     Mirror mirror = mirror_at(p, packed, motion);
     Curvature curvature = curvature_at(mirror);
-    bool lacks_transform;
-    Scenery before = scenery_before(mirror, curvature, r, lacks_transform);
+    BadMotion bad;
+    Scenery before = scenery_before(mirror, curvature, r, bad);
     bool known = r.hit_distance > 0.0 && virtual_position(mirror, curvature, before.mirror, before.image, r.roughness, position);
     return coloured_motion(known ? position - mirror.surface_position + motion : motion);
 }
@@ -235,7 +237,7 @@ vec4 reflection_history_at(ivec2 p) {
 
 // Of a surface that faces the camera: radii of the filter are measured in such pixels.
 vec4 penumbra_at(ivec2 p, GuideBits packed) {
-    float distance = unpack_visibility_history(texelFetch(visibility_history, p, 0).x).occluder_distance;
+    float distance = unpack_visibility_history(texelFetch(visibility_history, p, 0).x, 0u).occluder_distance;
     vec2 size = pixel_size(guide_depth(packed));
     float pixels = push.light_radius * distance / max(size.x, size.y);
     return distance > 0.0 ? vec4(false_colour(pixels / WIDE_PENUMBRA), pixels) : vec4(0.0);
@@ -265,7 +267,7 @@ vec4 shown(ivec2 p, GuideBits packed, uint view) {
     case VIEW_MOTION: return coloured_motion(motion_at(p));
     case VIEW_VIRTUAL_MOTION: return virtual_motion_at(p, packed);
     case VIEW_REFLECTION_HISTORY: return reflection_history_at(p);
-    case VIEW_VISIBILITY: value = unpack_visibility_history(texelFetch(visibility_history, p, 0).x).mean; return vec4(false_colour(value), value);
+    case VIEW_VISIBILITY: value = unpack_visibility_history(texelFetch(visibility_history, p, 0).x, 0u).mean; return vec4(false_colour(value), value);
     case VIEW_PENUMBRA: return penumbra_at(p, packed);
     case VIEW_HIT_DISTANCE: return hit_distance_at(p, packed);
     case VIEW_LOBE_ANGLE: return lobe_angle_at(p);

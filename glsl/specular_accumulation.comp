@@ -4,11 +4,11 @@
 // that of [SVGF] 4.1. How much each past is worth is ours: as many frames as it takes until its error in pixels passes the width of the lobe.
 // In:  guide (current, previous), surface_motion, depth_gradient; noisy: specular irradiance, hit distance; roughness of the host; history and
 //      moments of the previous frame, and its reflection; history_confidence as in temporal_accumulation.comp; by which instances the mirror
-//      and the thing in it move: specular_hit_id, surface_id, instance_transforms.
+//      and the thing in it move: specular_hit_id, surface_id, instance_transforms; or the thing by the host: specular_motion, scene units.
 // Out: statistics; accumulated: irradiance, history length; new_luminance; reflection: filtered hit distance (scene units), roughness, which past was taken.
 // Constants: FILTERED: what is accumulated was filtered, so that what is kept longer is blurred more often.
 // SHARP: irradiance by the cubic of Catmull and Rom (1974) over 4x4 taps, so that motion does not blur it.
-// optional: roughness, history_confidence, specular_hit_id, surface_id, instance_transforms
+// optional: roughness, history_confidence, specular_hit_id, specular_motion, surface_id, instance_transforms
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
@@ -49,6 +49,7 @@ const uint HISTORY_CONFIDENCE = 7u;
 const uint SPECULAR_HIT_ID = 14u;
 const uint SURFACE_ID = 15u;
 const uint INSTANCE_TRANSFORMS = 16u;
+const uint SPECULAR_MOTION = 18u;
 
 layout(set = 0, binding = 2) uniform utexture2D previous_guide;
 layout(set = 0, binding = 3) uniform utexture2D surface_motion;
@@ -64,6 +65,7 @@ layout(set = 0, binding = 12, r32ui) uniform writeonly uimage2D new_luminance;
 layout(set = 0, binding = 13, r32ui) uniform writeonly uimage2D reflection;
 PACKED_IMAGE(17, guide);
 layout(set = 0, binding = SPECULAR_HIT_ID) uniform utexture2D specular_hit_id;
+layout(set = 0, binding = SPECULAR_MOTION) uniform texture2D specular_motion;
 layout(set = 0, binding = SURFACE_ID) uniform utexture2D surface_id;
 layout(set = 0, binding = INSTANCE_TRANSFORMS, std430) readonly buffer InstanceTransforms { vec4 rows[]; } instance_transforms;
 
@@ -265,9 +267,10 @@ Past best_past(Centre c, float roughness, inout float hit_distance, out float im
     float tolerance = 0.5 + 0.5 * lobe_radius(c.depth, Reflection(mirror_image_distance(hit_distance, curvature.mean), roughness));
     vec2 position = c.mirror.surface_position;
     Past image = nothing();
-    bool lacks_transform;
-    Scenery before = scenery_before(c.mirror, curvature, Reflection(hit_distance, roughness), lacks_transform);
-    if (lacks_transform) count_bad(BAD_HIT_ID);
+    BadMotion bad;
+    Scenery before = scenery_before(c.mirror, curvature, Reflection(hit_distance, roughness), bad);
+    if (bad.transform) count_bad(BAD_HIT_ID);
+    if (bad.motion) count_bad(BAD_SPECULAR_MOTION);
     bool found = hit_distance > 0.0 && virtual_position(c.mirror, curvature, before.mirror, before.image, roughness, position);
     steadiness = found ? share * steadiness_of(c, radius, position) : 0.0;
     if (found && is_in_lobe(position, before.thing, roughness)) image = past_at(c, position);

@@ -67,8 +67,8 @@ fn configurations() -> Vec<(&'static str, Config)> {
         ("volume", Config { preset: Preset::Volume, debug_view: true, ..base }),
         ("volume beside svgf", Config { volume: true, firefly_filter: true, ..base }),
         ("volume beside asvgf", Config { volume: true, ..asvgf }),
-        ("visibility beside svgf", Config { visibility: true, ..base }),
-        ("visibility beside best", Config { visibility: true, ..best }),
+        ("visibility beside svgf", Config { visibility: 1, ..base }),
+        ("visibility beside best", Config { visibility: 1, ..best }),
     ]
 }
 

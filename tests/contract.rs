@@ -76,7 +76,7 @@ fn another_extent_gives_what_would_have_been_declared() {
                 preset,
                 signals,
                 volume: true,
-                visibility: true,
+                visibility: 1,
                 firefly_filter: true,
                 object_normal: true,
                 debug_view: true,

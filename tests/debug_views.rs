@@ -28,7 +28,7 @@ fn configurations() -> [Config; 7] {
         Config { preset: Preset::Stabilize, ..base },
         Config { preset: Preset::Eaw, ..base },
         Config { preset: Preset::Volume, ..base },
-        Config { preset: Preset::Best, signals: Signals::Specular, visibility: true, ..base },
+        Config { preset: Preset::Best, signals: Signals::Specular, visibility: 1, ..base },
     ]
 }
 

@@ -114,7 +114,7 @@ fn an_offset_that_changes_is_as_good_as_one_that_does_not() {
 }
 
 fn light_that_is_not_finite_leaves_no_hole() {
-    let mut s = session(&Config { signals: Signals::Specular, visibility: true, ..half() });
+    let mut s = session(&Config { signals: Signals::Specular, visibility: 1, ..half() });
     for i in 0..4 {
         let scene = scene(EXTENT, 0.02, jitter(i));
         let mut guides = scene.frame(i, i);
@@ -190,7 +190,7 @@ fn light_of_another_size_is_refused() {
 
 fn images_of_light_have_its_extent() {
     for preset in [Preset::Svgf, Preset::Asvgf, Preset::Percentile, Preset::Fast, Preset::Best, Preset::Eaw] {
-        let config = Config { preset, visibility: true, light_extent: Some(HALF), ..Config::new(EXTENT) };
+        let config = Config { preset, visibility: 1, light_extent: Some(HALF), ..Config::new(EXTENT) };
         let declaration = config.declare().expect("valid");
         let extent = |declaration: &atrous::Declaration, name: &str| {
             declaration.resource(declaration.find(name).expect(name)).extent(declaration.setup()).expect(name)

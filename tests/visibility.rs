@@ -1,6 +1,6 @@
-//! The visibility of one light: beside the presets for surfaces, with its light and without.
+//! The visibility of lights: beside the presets for surfaces, with their light and without.
 
-use super::support::{assert_finite, assert_valid, frame, scene::Guides, scene::Scene, session, session_with, upload};
+use super::support::{assert_finite, assert_valid, frame, random, scene::Guides, scene::Scene, session, session_with, upload};
 use atrous::config::{PostProcess, Preset, Signals};
 use atrous::executor::{Session, SessionOptions};
 use atrous::Counter;
@@ -17,12 +17,17 @@ pub const TESTS: &[DeviceTest] = &[
     ("surfaces_are_as_they_were_and_the_product_is_added", surfaces_are_as_they_were_and_the_product_is_added),
     ("what_is_no_visibility_is_counted_and_does_not_spread", what_is_no_visibility_is_counted_and_does_not_spread),
     ("odd_depths_beside_missing_samples_are_no_nan", odd_depths_beside_missing_samples_are_no_nan),
+    ("ambient_occlusion_is_nearer_to_the_truth_than_its_samples", ambient_occlusion_is_nearer_to_the_truth_than_its_samples),
+    ("each_of_four_lights_is_what_it_is_alone", each_of_four_lights_is_what_it_is_alone),
+    ("a_grey_light_is_the_same_in_colour", a_grey_light_is_the_same_in_colour),
+    ("several_lights_cost_no_more_memory_than_the_page_says", several_lights_cost_no_more_memory_than_the_page_says),
+    ("the_products_of_coloured_lights_are_added", the_products_of_coloured_lights_are_added),
 ];
 
 const EXTENT: [u32; 2] = [96, 54];
 
 fn config(extent: [u32; 2]) -> Config {
-    Config { visibility: true, ..Config::new(extent) }
+    Config { visibility: 1, ..Config::new(extent) }
 }
 
 fn visibility_of(s: &mut Session, g: &Guides, params: &FrameParams) -> Vec<f32> {
@@ -44,7 +49,7 @@ fn it_costs_at_most_12_bytes_a_pixel() {
                 let memory = config.declare().expect("valid").memory();
                 memory.history + memory.transient + memory.output
             };
-            let more = bytes(&Config { visibility: true, ..without }) as f64 - bytes(&without) as f64;
+            let more = bytes(&Config { visibility: 1, ..without }) as f64 - bytes(&without) as f64;
             let a_pixel = more / f64::from(extent[0] * extent[1]);
             let most = match (preset, post_process) {
                 // It keeps no guide of the frame before.
@@ -131,7 +136,7 @@ fn surfaces_are_as_they_were_and_the_product_is_added() {
     let scene = Scene { speed: 0.1, ..Scene::new(EXTENT) };
     for preset in [Preset::Svgf, Preset::Eaw, Preset::Best] {
         let without = Config { preset, ..Config::new(EXTENT) };
-        let (mut surfaces, mut both) = (session(&without), session(&Config { visibility: true, ..without }));
+        let (mut surfaces, mut both) = (session(&without), session(&Config { visibility: 1, ..without }));
         for i in 0..4 {
             let (g, params) = (scene.frame(i, i), scene.params(i));
             let (_, expected) = frame(&mut surfaces, &g, &params, &Tuning::for_preset(preset));
@@ -203,5 +208,132 @@ fn odd_depths_beside_missing_samples_are_no_nan() {
             let image = visibility_of(&mut s, &g, &scene.params(frame));
             assert!(image.iter().all(|v| (0.0..=1.0).contains(v)), "{preset}, depth {depth:e}, {odd}, {missing}");
         }
+    }
+}
+
+/// The inputs of a light, as those of the only one.
+fn alone(g: &Guides, light: usize) -> Guides {
+    let mut one = g.clone();
+    if let Some(lamp) = light.checked_sub(1).map(|i| &g.further_lights[i]) {
+        (one.noisy_visibility, one.occluder_distance) = (lamp.noisy_visibility.clone(), lamp.occluder_distance.clone());
+    }
+    one
+}
+
+fn output_of(light: usize) -> String {
+    ["denoised_visibility".to_owned(), format!("denoised_visibility_{light}")][light.min(1)].clone()
+}
+
+fn each_of_four_lights_is_what_it_is_alone() {
+    let scene = Scene { speed: 0.07, ..Scene::new(EXTENT) };
+    let radii = [0.00465, 0.02, 0.01, 0.004];
+    let [light_radius, light_radius_1, light_radius_2, light_radius_3] = radii;
+    let tuning = Tuning { light_radius, light_radius_1, light_radius_2, light_radius_3, ..Tuning::default() };
+    // A sun that moves, one that stands, a lamp that moves, and one that nobody tells the place of.
+    let lights = |i: u32| [[0.1 * i as f32, 0.8, 0.5, 0.0], [0.3, 0.8, 0.5, 0.0], [0.2 * i as f32, 6.0, 2.0, 1.0], [0.0; 4]];
+    for coloured_visibility in [false, true] {
+        let base = Config { coloured_visibility, ..config(EXTENT) };
+        let mut together = session(&Config { visibility: 4, ..base });
+        let mut apart = [(); 4].map(|()| session(&base));
+        for i in 0..5 {
+            let (g, params) = (scene.frame(i, i), FrameParams { lights: lights(i), ..scene.params(i) });
+            upload(&mut together, &g);
+            together.run(&params, &tuning).expect("frame");
+            for (light, one) in apart.iter_mut().enumerate() {
+                upload(one, &alone(&g, light));
+                let lights = [params.lights[light], [0.0; 4], [0.0; 4], [0.0; 4]];
+                one.run(&FrameParams { lights, ..params }, &Tuning { light_radius: radii[light], ..tuning }).expect("frame");
+                let [a, b] =
+                    [(&mut together, output_of(light)), (one, output_of(0))].map(|(s, name)| s.download(&name).expect(&name));
+                let far = a.iter().zip(&b).filter(|(a, b)| (0..3).any(|c| (a[c] - b[c]).abs() > 4e-3)).count();
+                assert!(far * 500 <= a.len(), "frame {i}, light {light}, colour {coloured_visibility}: {far} pixels differ");
+            }
+        }
+        assert_valid();
+    }
+}
+
+fn a_grey_light_is_the_same_in_colour() {
+    let scene = Scene { speed: 0.07, ..Scene::new(EXTENT) };
+    let [mut grey, mut coloured] =
+        [false, true].map(|coloured_visibility| session(&Config { coloured_visibility, ..config(EXTENT) }));
+    for i in 0..5 {
+        let mut g = scene.frame(i, i);
+        g.noisy_visibility.iter_mut().for_each(|v| *v = [v[0]; 4]);
+        visibility_of(&mut grey, &g, &scene.params(i));
+        visibility_of(&mut coloured, &g, &scene.params(i));
+        let [a, b] = [&mut grey, &mut coloured].map(|s| s.download("denoised_visibility").expect("output"));
+        // The output in colour is of half floats.
+        let far = a.iter().zip(&b).find(|(a, b)| (0..3).any(|c| (a[0] - b[c]).abs() > 2e-3) || b[3] != 1.0);
+        assert_eq!(far, None, "frame {i}");
+    }
+}
+
+fn several_lights_cost_no_more_memory_than_the_page_says() {
+    let bytes = |visibility, coloured_visibility| {
+        let memory = Config { visibility, coloured_visibility, ..Config::new([1920, 1080]) }.declare().expect("valid").memory();
+        (memory.history + memory.transient + memory.output) as f64 / (1920.0 * 1080.0)
+    };
+    let [grey, coloured] = [false, true].map(|coloured| [0, 1, 2, 3, 4].map(|lights| bytes(lights, coloured) - bytes(0, coloured)));
+    println!("{grey:?} {coloured:?}");
+    // As docs/presets.md says.
+    assert!(grey[1] <= 12.0 && grey[2] <= 58.0 && grey[4] <= 66.0, "{grey:?}");
+    assert!(coloured[1] <= 26.0 && coloured[2] <= 130.0 && coloured[4] <= 146.0, "{coloured:?}");
+    let error = Config { visibility: 5, ..Config::new([64, 64]) }.declare().map(|_| ()).expect_err("four at most").to_string();
+    assert!(error.contains("visibility") && error.contains('5') && error.contains('4'), "{error}");
+}
+
+fn the_products_of_coloured_lights_are_added() {
+    let scene = Scene { speed: 0.1, ..Scene::new(EXTENT) };
+    let without = Config { preset: Preset::Svgf, ..Config::new(EXTENT) };
+    let mut surfaces = session(&without);
+    let mut both = session(&Config { visibility: 3, coloured_visibility: true, ..without });
+    for i in 0..3 {
+        let (g, params, tuning) = (scene.frame(i, i), scene.params(i), Tuning::for_preset(Preset::Svgf));
+        let (_, expected) = frame(&mut surfaces, &g, &params, &tuning);
+        upload(&mut both, &g);
+        // The second light is multiplied by its host.
+        both.unbind("unshadowed_direct_1").expect("known");
+        both.run(&params, &tuning).expect("frame");
+        let image = both.download("denoised_radiance").expect("output");
+        let seen = [0, 2].map(|light| both.download(&output_of(light)).expect("output"));
+        let light = [&g.unshadowed_direct, &g.further_lights[1].unshadowed_direct];
+        for (p, (sum, alone)) in image.iter().zip(&expected).enumerate() {
+            let added = |c: usize| light[0][p][c] * seen[0][p][c] + light[1][p][c] * seen[1][p][c];
+            let close = (0..3).all(|c| (sum[c] - alone[c] - added(c)).abs() <= 2e-3 * (alone[c] + added(c)));
+            assert!(close, "frame {i}, {p}: {sum:?} {alone:?}");
+        }
+    }
+    assert_valid();
+}
+
+fn ambient_occlusion_is_nearer_to_the_truth_than_its_samples() {
+    // A little occlusion, as between walls far apart, and much of it; a bit more to the right.
+    for (speed, occluded) in [(0.0, 0.03), (0.05, 0.03), (0.0, 0.5), (0.05, 0.5)] {
+        let scene = Scene { speed, ..Scene::new(EXTENT) };
+        let mut s = session(&Config { ambient_occlusion: true, ..Config::new(EXTENT) });
+        let truth: Vec<f32> = (0..96 * 54).map(|p| 1.0 - occluded * (0.5 + (p % 96) as f32 / 96.0)).collect();
+        let (mut noise, mut error, mut bias) = (0.0, 0.0, 0.0);
+        for i in 0..24 {
+            let mut g = scene.frame(i, i);
+            for (p, open) in truth.iter().enumerate() {
+                let [hit, far] = [random(p as u32, i, 40), random(p as u32, i, 41)];
+                let seen = hit < *open;
+                g.further_lights[1].noisy_visibility[p] = [f32::from(seen); 4];
+                g.further_lights[1].occluder_distance[p] = [if seen { f32::INFINITY } else { 0.1 + far }; 4];
+            }
+            upload(&mut s, &g);
+            s.run(&scene.params(i), &Tuning::default()).expect("frame");
+            let image = s.download("denoised_ambient").expect("output");
+            let surfaces: Vec<_> = (0..truth.len()).filter(|p| g.surface_id[*p] != 0).collect();
+            let mean = |of: &dyn Fn(usize) -> f32| surfaces.iter().map(|p| of(*p)).sum::<f32>() / surfaces.len() as f32;
+            noise = mean(&|p| (g.further_lights[1].noisy_visibility[p][0] - truth[p]).powi(2)).sqrt();
+            error = mean(&|p| (image[p][0] - truth[p]).powi(2)).sqrt();
+            bias = mean(&|p| image[p][0] - truth[p]);
+        }
+        println!("{occluded} at {speed}: {noise:.4} to {error:.4}, bias {bias:.4}");
+        assert!(error < 0.25 * noise, "{occluded} at {speed}: {noise} to {error}");
+        assert!(bias.abs() < 0.25 * occluded, "{occluded} at {speed}: {bias}");
+        assert_valid();
     }
 }

@@ -1,5 +1,6 @@
-// A mirror and the thing in it, where their instances were in the previous frame. Twin: src/reference/scenery.rs.
-// Needs the inputs specular_hit_id, surface_id and instance_transforms at the bindings SPECULAR_HIT_ID, SURFACE_ID and INSTANCE_TRANSFORMS.
+// A mirror and the thing in it, where they were in the previous frame. Twin: src/reference/scenery.rs.
+// Needs the inputs specular_hit_id, specular_motion, surface_id and instance_transforms at the bindings SPECULAR_HIT_ID, SPECULAR_MOTION, SURFACE_ID
+// and INSTANCE_TRANSFORMS.
 #ifndef SCENERY_GLSL
 #define SCENERY_GLSL
 #include "virtual_motion.glsl"
@@ -13,7 +14,7 @@ struct Scenery {
     MirrorBefore mirror;
     vec3 thing;
     vec3 image;     // of the thing, as in virtual_position
-    bool followed;  // the thing, by its instance
+    bool followed;  // the thing
 };
 
 Scenery at_rest(Mirror c, Curvature curvature, float hit_distance) {
@@ -22,18 +23,31 @@ Scenery at_rest(Mirror c, Curvature curvature, float hit_distance) {
     return Scenery(mirror_at_rest(c, curvature), thing, image_at_rest(hit_distance), false);
 }
 
-// Both as their instances carry them. The surface of the thing is that of the pixel's own path. `lacks_transform`: the thing should have one that
-// can be used, and has none.
-Scenery scenery_before(Mirror c, Curvature curvature, Reflection seen, out bool lacks_transform) {
-    lacks_transform = false;
+// What of the motion of a thing cannot be used.
+struct BadMotion {
+    bool transform;  // it should have one, and has none
+    bool motion;     // of the host
+};
+
+// Both as they were: the thing by the host's motion, else by its instance; the mirror by its instance. The surface of the thing is that of the pixel's
+// own path.
+Scenery scenery_before(Mirror c, Curvature curvature, Reflection seen, out BadMotion bad) {
+    bad = BadMotion(false, false);
     Scenery rest = at_rest(c, curvature, seen.hit_distance);
-    if (!is_present(SPECULAR_HIT_ID) || !is_present(INSTANCE_TRANSFORMS) || !(seen.hit_distance > 0.0)) return rest;
-    uint thing_id = texelFetch(specular_hit_id, c.p, 0).x, mirror_id = is_present(SURFACE_ID) ? texelFetch(surface_id, guide_pixel(c.p), 0).x : 0u;
+    bool has_transforms = is_present(INSTANCE_TRANSFORMS), has_ids = is_present(SPECULAR_HIT_ID) && has_transforms;
+    if ((!has_ids && !is_present(SPECULAR_MOTION)) || !(seen.hit_distance > 0.0)) return rest;
+    vec3 motion = is_present(SPECULAR_MOTION) ? texelFetch(specular_motion, c.p, 0).xyz : vec3(0.0);
+    bad.motion = !is_finite(motion);
+    bool has_motion = is_present(SPECULAR_MOTION) && !bad.motion;
+    uint thing_id = has_ids && !has_motion ? texelFetch(specular_hit_id, c.p, 0).x : 0u;
+    uint mirror_id = is_present(SURFACE_ID) && has_transforms ? texelFetch(surface_id, guide_pixel(c.p), 0).x : 0u;
     vec4 rows[3], thing = vec4(c.position + reflect(c.sight, c.normal) * seen.hit_distance, 1.0), to;
     Scenery before = rest;
     bool thing_moves = thing_id != 0u && instance_rows(thing_id, rows) && carried(rows, thing, to);
     if (thing_moves) thing = to;
-    lacks_transform = thing_id != 0u && !thing_moves;
+    bad.transform = thing_id != 0u && !thing_moves;
+    if (has_motion) thing.xyz += motion;
+    thing_moves = thing_moves || has_motion;
     vec3 normal = c.normal;
     bool mirror_moves = mirror_id != 0u && instance_rows(mirror_id, rows) && carried(rows, vec4(c.position, 1.0), to);
     if (mirror_moves) {

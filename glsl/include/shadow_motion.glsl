@@ -1,7 +1,7 @@
 // Where the shadow on a surface lay in the previous frame: where the ray from the light past the occluder, as both were, meets the plane of the
 // surface. Twin: src/reference/shadow_motion.rs.
 // Source: [Zeng et al. 2021] 4.1. Deviation: the ray goes to the middle of the light, so it holds for lit pixels beside a shadow, too.
-// Needs the inputs occluder_distance, and occluder_id, occluder_motion and instance_transforms at the bindings OCCLUDER_ID, OCCLUDER_MOTION and INSTANCE_TRANSFORMS.
+// Needs occluder_distance_of(light, pixel), occluder_motion_of and occluder_id_of, and instance_transforms at the binding INSTANCE_TRANSFORMS.
 #ifndef SHADOW_MOTION_GLSL
 #define SHADOW_MOTION_GLSL
 #include "finite.glsl"
@@ -29,17 +29,15 @@ Receiver receiver_at(ivec2 p, float linear_depth, SurfaceMotion m, vec2 position
 }
 
 // What the shadow ray of a pixel met, carried to the previous frame by the host's motion, else by its instance. False: it stood still.
-bool occluder_before(ivec2 q, vec3 occluder, out vec3 before) {
+bool occluder_before(const int light, ivec2 q, vec3 occluder, out vec3 before) {
     before = occluder;
-    if (is_present(OCCLUDER_MOTION)) {
-        vec3 motion = texelFetch(occluder_motion, q, 0).xyz;
-        if (is_finite(motion)) {
-            before += motion;
-            return motion != vec3(0.0);
-        }
+    vec3 motion = occluder_motion_of(light, q);
+    if (is_finite(motion)) {
+        before += motion;
+        return motion != vec3(0.0);
     }
     vec4 rows[3], to;
-    uint id = is_present(OCCLUDER_ID) ? texelFetch(occluder_id, q, 0).x : 0u;
+    uint id = occluder_id_of(light, q);
     if (id == 0u || !instance_rows(id, rows) || !carried(rows, vec4(occluder, 1.0), to)) return false;
     before = to.xyz;
     return before != occluder;
@@ -47,13 +45,13 @@ bool occluder_before(ivec2 q, vec3 occluder, out vec3 before) {
 
 // The place of the shadow of the occluder that the ray of the pixel q met. False: neither it nor the light moved, or there was
 // no shadow.
-bool shadow_before(Receiver surface, ivec2 q, out vec3 shadow) {
+bool shadow_before(Receiver surface, const int light, ivec2 q, out vec3 shadow) {
     shadow = surface.position_before;
-    vec4 light = frame.lights[0], light_before = frame.previous_lights[0];
-    if (light == vec4(0.0)) return false;
-    vec3 occluder = surface.position + texelFetch(occluder_distance, q, 0).x * normalize(light.xyz - light.w * surface.position), before;
-    if (!occluder_before(q, occluder, before) && light == light_before) return false;
-    vec3 ray = normalize(light_before.w * before - light_before.xyz);
+    vec4 to_light = frame.lights[light], to_light_before = frame.previous_lights[light];
+    if (to_light == vec4(0.0)) return false;
+    vec3 occluder = surface.position + occluder_distance_of(light, q) * normalize(to_light.xyz - to_light.w * surface.position), before;
+    if (!occluder_before(light, q, occluder, before) && to_light == to_light_before) return false;
+    vec3 ray = normalize(to_light_before.w * before - to_light_before.xyz);
     float cosine = dot(ray, surface.normal_before), way = dot(surface.position_before - before, surface.normal_before) / cosine;
     shadow = before + way * ray;
     return abs(cosine) > GRAZING && way >= 0.0 && is_finite(shadow);

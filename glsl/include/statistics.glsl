@@ -25,8 +25,9 @@ const uint SATURATED = 17u;
 const uint BAD_HIT_ID = 18u;
 const uint BAD_OCCLUDER_ID = 19u;
 const uint BAD_OCCLUDER_MOTION = 20u;
+const uint BAD_SPECULAR_MOTION = 21u;
 
-layout(set = 0, binding = 1, std430) buffer Statistics { uint counts[21]; } statistics;
+layout(set = 0, binding = 1, std430) buffer Statistics { uint counts[22]; } statistics;
 
 void count_bad(uint which) { atomicAdd(statistics.counts[which], 1u); }
 

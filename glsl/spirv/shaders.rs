@@ -193,6 +193,7 @@ pub(crate) static DEBUG_VIEW: Shader = Shader {
         ShaderBinding { number: 20, name: Cow::Borrowed("specular_hit_id"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
         ShaderBinding { number: 21, name: Cow::Borrowed("surface_id"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
         ShaderBinding { number: 22, name: Cow::Borrowed("instance_transforms"), kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly), optional: true },
+        ShaderBinding { number: 23, name: Cow::Borrowed("specular_motion"), kind: BindingKind::SampledImage(Component::Float), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("view"), offset: 0, scalar: Scalar::Uint },
@@ -788,14 +789,21 @@ pub(crate) static SHADOWED_LIGHT_FLOAT_0: Shader = Shader {
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
         ShaderBinding { number: 2, name: Cow::Borrowed("denoised_visibility"), kind: BindingKind::SampledImage(Component::Float), optional: false },
-        ShaderBinding { number: 3, name: Cow::Borrowed("unshadowed_direct"), kind: BindingKind::SampledImage(Component::Float), optional: true },
-        ShaderBinding { number: 4, name: Cow::Borrowed("radiance"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("radiance"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("unshadowed_direct"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 5, name: Cow::Borrowed("unshadowed_direct_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 6, name: Cow::Borrowed("unshadowed_direct_2"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 7, name: Cow::Borrowed("unshadowed_direct_3"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 8, name: Cow::Borrowed("denoised_visibility_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 9, name: Cow::Borrowed("denoised_visibility_2"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 10, name: Cow::Borrowed("denoised_visibility_3"), kind: BindingKind::SampledImage(Component::Float), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("COLOURED"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("WIDE"), id: 9, scalar: Scalar::Bool, default: 0 },
     ]),
 };
@@ -805,14 +813,21 @@ pub(crate) static SHADOWED_LIGHT_FLOAT_1: Shader = Shader {
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
         ShaderBinding { number: 2, name: Cow::Borrowed("denoised_visibility"), kind: BindingKind::SampledImage(Component::Float), optional: false },
-        ShaderBinding { number: 3, name: Cow::Borrowed("unshadowed_direct"), kind: BindingKind::SampledImage(Component::Float), optional: true },
-        ShaderBinding { number: 4, name: Cow::Borrowed("radiance"), kind: BindingKind::StorageImage(TexelFormat::Rgba32f, BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("radiance"), kind: BindingKind::StorageImage(TexelFormat::Rgba32f, BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("unshadowed_direct"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 5, name: Cow::Borrowed("unshadowed_direct_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 6, name: Cow::Borrowed("unshadowed_direct_2"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 7, name: Cow::Borrowed("unshadowed_direct_3"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 8, name: Cow::Borrowed("denoised_visibility_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 9, name: Cow::Borrowed("denoised_visibility_2"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 10, name: Cow::Borrowed("denoised_visibility_3"), kind: BindingKind::SampledImage(Component::Float), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("COLOURED"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("WIDE"), id: 9, scalar: Scalar::Bool, default: 1 },
     ]),
 };
@@ -837,6 +852,7 @@ pub(crate) static SPECULAR_ACCUMULATION: Shader = Shader {
         ShaderBinding { number: 15, name: Cow::Borrowed("surface_id"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
         ShaderBinding { number: 16, name: Cow::Borrowed("instance_transforms"), kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly), optional: true },
         ShaderBinding { number: 17, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 18, name: Cow::Borrowed("specular_motion"), kind: BindingKind::SampledImage(Component::Float), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
@@ -1086,8 +1102,8 @@ pub(crate) static VARIANCE_SIGNALS_2: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("FILLED"), id: 3, scalar: Scalar::Bool, default: 0 },
     ]),
 };
-pub(crate) static VISIBILITY_ACCUMULATION: Shader = Shader {
-    stage: Cow::Borrowed("visibility_accumulation"), name: Cow::Borrowed("visibility_accumulation"), spirv: Cow::Borrowed(include_bytes!("visibility_accumulation.spv")), workgroup: [8, 8, 1],
+pub(crate) static VISIBILITY_ACCUMULATION_MANY_0_COLOUR_0: Shader = Shader {
+    stage: Cow::Borrowed("visibility_accumulation"), name: Cow::Borrowed("visibility_accumulation_many_0_colour_0"), spirv: Cow::Borrowed(include_bytes!("visibility_accumulation_many_0_colour_0.spv")), workgroup: [8, 8, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
@@ -1097,11 +1113,11 @@ pub(crate) static VISIBILITY_ACCUMULATION: Shader = Shader {
         ShaderBinding { number: 5, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
         ShaderBinding { number: 6, name: Cow::Borrowed("visibility_samples"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::ReadOnly), optional: false },
         ShaderBinding { number: 7, name: Cow::Borrowed("previous_visibility_history"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
-        ShaderBinding { number: 8, name: Cow::Borrowed("occluder_id"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
-        ShaderBinding { number: 9, name: Cow::Borrowed("occluder_motion"), kind: BindingKind::SampledImage(Component::Float), optional: true },
-        ShaderBinding { number: 10, name: Cow::Borrowed("instance_transforms"), kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly), optional: true },
-        ShaderBinding { number: 11, name: Cow::Borrowed("occluder_distance"), kind: BindingKind::SampledImage(Component::Float), optional: false },
-        ShaderBinding { number: 12, name: Cow::Borrowed("visibility_history"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 8, name: Cow::Borrowed("occluder_distance"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 9, name: Cow::Borrowed("instance_transforms"), kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly), optional: true },
+        ShaderBinding { number: 10, name: Cow::Borrowed("visibility_history"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 11, name: Cow::Borrowed("occluder_id"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 12, name: Cow::Borrowed("occluder_motion"), kind: BindingKind::SampledImage(Component::Float), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("light_radius"), offset: 0, scalar: Scalar::Float },
@@ -1114,11 +1130,140 @@ pub(crate) static VISIBILITY_ACCUMULATION: Shader = Shader {
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("AMBIENT"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
-pub(crate) static VISIBILITY_FILTER_LAST_0: Shader = Shader {
-    stage: Cow::Borrowed("visibility_filter"), name: Cow::Borrowed("visibility_filter_last_0"), spirv: Cow::Borrowed(include_bytes!("visibility_filter_last_0.spv")), workgroup: [8, 8, 1],
+pub(crate) static VISIBILITY_ACCUMULATION_MANY_0_COLOUR_1: Shader = Shader {
+    stage: Cow::Borrowed("visibility_accumulation"), name: Cow::Borrowed("visibility_accumulation_many_0_colour_1"), spirv: Cow::Borrowed(include_bytes!("visibility_accumulation_many_0_colour_1.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("previous_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("surface_motion"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("visibility_samples"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 7, name: Cow::Borrowed("previous_visibility_history"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 8, name: Cow::Borrowed("occluder_distance"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 9, name: Cow::Borrowed("instance_transforms"), kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly), optional: true },
+        ShaderBinding { number: 10, name: Cow::Borrowed("visibility_history"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 11, name: Cow::Borrowed("sample_colours"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 12, name: Cow::Borrowed("previous_history_colours"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 13, name: Cow::Borrowed("history_colours"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 14, name: Cow::Borrowed("occluder_id"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 15, name: Cow::Borrowed("occluder_motion"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("light_radius"), offset: 0, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("visibility_alpha"), offset: 4, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("depth_tolerance"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("normal_tolerance"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_n"), offset: 16, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_z"), offset: 20, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("present"), offset: 24, scalar: Scalar::Uint },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("AMBIENT"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
+    ]),
+};
+pub(crate) static VISIBILITY_ACCUMULATION_MANY_1_COLOUR_0: Shader = Shader {
+    stage: Cow::Borrowed("visibility_accumulation"), name: Cow::Borrowed("visibility_accumulation_many_1_colour_0"), spirv: Cow::Borrowed(include_bytes!("visibility_accumulation_many_1_colour_0.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("previous_guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("surface_motion"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("visibility_samples"), kind: BindingKind::StorageImage(TexelFormat::Rgba32ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 7, name: Cow::Borrowed("previous_visibility_history"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 8, name: Cow::Borrowed("occluder_distance"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 9, name: Cow::Borrowed("instance_transforms"), kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly), optional: true },
+        ShaderBinding { number: 10, name: Cow::Borrowed("visibility_history"), kind: BindingKind::StorageImage(TexelFormat::Rgba32ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 11, name: Cow::Borrowed("occluder_id"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 12, name: Cow::Borrowed("occluder_id_1"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 13, name: Cow::Borrowed("occluder_id_2"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 14, name: Cow::Borrowed("occluder_id_3"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 15, name: Cow::Borrowed("occluder_motion"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 16, name: Cow::Borrowed("occluder_motion_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 17, name: Cow::Borrowed("occluder_motion_2"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 18, name: Cow::Borrowed("occluder_motion_3"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 19, name: Cow::Borrowed("occluder_distance_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 20, name: Cow::Borrowed("occluder_distance_2"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 21, name: Cow::Borrowed("occluder_distance_3"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("light_radius"), offset: 0, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("light_radius_1"), offset: 4, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("light_radius_2"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("light_radius_3"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("visibility_alpha"), offset: 16, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("depth_tolerance"), offset: 20, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("normal_tolerance"), offset: 24, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_n"), offset: 28, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_z"), offset: 32, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("present"), offset: 36, scalar: Scalar::Uint },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("AMBIENT"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("LIGHTS"), id: 2, scalar: Scalar::Uint, default: 4 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
+    ]),
+};
+pub(crate) static VISIBILITY_ACCUMULATION_MANY_1_COLOUR_1: Shader = Shader {
+    stage: Cow::Borrowed("visibility_accumulation"), name: Cow::Borrowed("visibility_accumulation_many_1_colour_1"), spirv: Cow::Borrowed(include_bytes!("visibility_accumulation_many_1_colour_1.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("previous_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("surface_motion"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("visibility_samples"), kind: BindingKind::StorageImage(TexelFormat::Rgba32ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 7, name: Cow::Borrowed("previous_visibility_history"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 8, name: Cow::Borrowed("occluder_distance"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 9, name: Cow::Borrowed("instance_transforms"), kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly), optional: true },
+        ShaderBinding { number: 10, name: Cow::Borrowed("visibility_history"), kind: BindingKind::StorageImage(TexelFormat::Rgba32ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 11, name: Cow::Borrowed("sample_colours"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 12, name: Cow::Borrowed("previous_history_colours"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 13, name: Cow::Borrowed("history_colours"), kind: BindingKind::StorageImage(TexelFormat::Rgba32ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 14, name: Cow::Borrowed("occluder_id"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 15, name: Cow::Borrowed("occluder_id_1"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 16, name: Cow::Borrowed("occluder_id_2"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 17, name: Cow::Borrowed("occluder_id_3"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 18, name: Cow::Borrowed("occluder_motion"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 19, name: Cow::Borrowed("occluder_motion_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 20, name: Cow::Borrowed("occluder_motion_2"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 21, name: Cow::Borrowed("occluder_motion_3"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 22, name: Cow::Borrowed("occluder_distance_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 23, name: Cow::Borrowed("occluder_distance_2"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 24, name: Cow::Borrowed("occluder_distance_3"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("light_radius"), offset: 0, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("light_radius_1"), offset: 4, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("light_radius_2"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("light_radius_3"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("visibility_alpha"), offset: 16, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("depth_tolerance"), offset: 20, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("normal_tolerance"), offset: 24, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_n"), offset: 28, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_z"), offset: 32, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("present"), offset: 36, scalar: Scalar::Uint },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("AMBIENT"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("LIGHTS"), id: 2, scalar: Scalar::Uint, default: 4 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
+    ]),
+};
+pub(crate) static VISIBILITY_FILTER_LAST_0_MANY_0_COLOUR_0: Shader = Shader {
+    stage: Cow::Borrowed("visibility_filter"), name: Cow::Borrowed("visibility_filter_last_0_many_0_colour_0"), spirv: Cow::Borrowed(include_bytes!("visibility_filter_last_0_many_0_colour_0.spv")), workgroup: [8, 8, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
@@ -1140,8 +1285,8 @@ pub(crate) static VISIBILITY_FILTER_LAST_0: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
-pub(crate) static VISIBILITY_FILTER_LAST_1: Shader = Shader {
-    stage: Cow::Borrowed("visibility_filter"), name: Cow::Borrowed("visibility_filter_last_1"), spirv: Cow::Borrowed(include_bytes!("visibility_filter_last_1.spv")), workgroup: [8, 8, 1],
+pub(crate) static VISIBILITY_FILTER_LAST_1_MANY_0_COLOUR_0: Shader = Shader {
+    stage: Cow::Borrowed("visibility_filter"), name: Cow::Borrowed("visibility_filter_last_1_many_0_colour_0"), spirv: Cow::Borrowed(include_bytes!("visibility_filter_last_1_many_0_colour_0.spv")), workgroup: [8, 8, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
@@ -1163,8 +1308,178 @@ pub(crate) static VISIBILITY_FILTER_LAST_1: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
-pub(crate) static VISIBILITY_SAMPLES: Shader = Shader {
-    stage: Cow::Borrowed("visibility_samples"), name: Cow::Borrowed("visibility_samples"), spirv: Cow::Borrowed(include_bytes!("visibility_samples.spv")), workgroup: [8, 8, 1],
+pub(crate) static VISIBILITY_FILTER_LAST_0_MANY_0_COLOUR_1: Shader = Shader {
+    stage: Cow::Borrowed("visibility_filter"), name: Cow::Borrowed("visibility_filter_last_0_many_0_colour_1"), spirv: Cow::Borrowed(include_bytes!("visibility_filter_last_0_many_0_colour_1.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("visibility_history"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("filter_in"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("filter_out"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("filter_in_colours"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 7, name: Cow::Borrowed("filter_out_colours"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("level"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("light_radius"), offset: 4, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("penumbra_blur"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("visibility_sigma"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_n"), offset: 16, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_z"), offset: 20, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("FIRST"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
+    ]),
+};
+pub(crate) static VISIBILITY_FILTER_LAST_1_MANY_0_COLOUR_1: Shader = Shader {
+    stage: Cow::Borrowed("visibility_filter"), name: Cow::Borrowed("visibility_filter_last_1_many_0_colour_1"), spirv: Cow::Borrowed(include_bytes!("visibility_filter_last_1_many_0_colour_1.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("visibility_history"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("filter_in"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("denoised_visibility"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("filter_in_colours"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("level"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("light_radius"), offset: 4, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("penumbra_blur"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("visibility_sigma"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_n"), offset: 16, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_z"), offset: 20, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("FIRST"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
+    ]),
+};
+pub(crate) static VISIBILITY_FILTER_LAST_0_MANY_1_COLOUR_0: Shader = Shader {
+    stage: Cow::Borrowed("visibility_filter"), name: Cow::Borrowed("visibility_filter_last_0_many_1_colour_0"), spirv: Cow::Borrowed(include_bytes!("visibility_filter_last_0_many_1_colour_0.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("visibility_history"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("filter_in"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("filter_out"), kind: BindingKind::StorageImage(TexelFormat::Rgba32ui, BindingAccess::WriteOnly), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("level"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("light_radius"), offset: 4, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("light_radius_1"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("light_radius_2"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("light_radius_3"), offset: 16, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("penumbra_blur"), offset: 20, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("visibility_sigma"), offset: 24, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_n"), offset: 28, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_z"), offset: 32, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("FIRST"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("LIGHTS"), id: 2, scalar: Scalar::Uint, default: 4 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
+    ]),
+};
+pub(crate) static VISIBILITY_FILTER_LAST_1_MANY_1_COLOUR_0: Shader = Shader {
+    stage: Cow::Borrowed("visibility_filter"), name: Cow::Borrowed("visibility_filter_last_1_many_1_colour_0"), spirv: Cow::Borrowed(include_bytes!("visibility_filter_last_1_many_1_colour_0.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("visibility_history"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("filter_in"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("denoised_visibility"), kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("denoised_visibility_1"), kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly), optional: true },
+        ShaderBinding { number: 7, name: Cow::Borrowed("denoised_visibility_2"), kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly), optional: true },
+        ShaderBinding { number: 8, name: Cow::Borrowed("denoised_visibility_3"), kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly), optional: true },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("level"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("light_radius"), offset: 4, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("light_radius_1"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("light_radius_2"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("light_radius_3"), offset: 16, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("penumbra_blur"), offset: 20, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("visibility_sigma"), offset: 24, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_n"), offset: 28, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_z"), offset: 32, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("present"), offset: 36, scalar: Scalar::Uint },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("FIRST"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("LIGHTS"), id: 2, scalar: Scalar::Uint, default: 4 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
+    ]),
+};
+pub(crate) static VISIBILITY_FILTER_LAST_0_MANY_1_COLOUR_1: Shader = Shader {
+    stage: Cow::Borrowed("visibility_filter"), name: Cow::Borrowed("visibility_filter_last_0_many_1_colour_1"), spirv: Cow::Borrowed(include_bytes!("visibility_filter_last_0_many_1_colour_1.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("visibility_history"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("filter_in"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("filter_out"), kind: BindingKind::StorageImage(TexelFormat::Rgba32ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("filter_in_colours"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 7, name: Cow::Borrowed("filter_out_colours"), kind: BindingKind::StorageImage(TexelFormat::Rgba32ui, BindingAccess::WriteOnly), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("level"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("light_radius"), offset: 4, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("light_radius_1"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("light_radius_2"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("light_radius_3"), offset: 16, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("penumbra_blur"), offset: 20, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("visibility_sigma"), offset: 24, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_n"), offset: 28, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_z"), offset: 32, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("FIRST"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("LIGHTS"), id: 2, scalar: Scalar::Uint, default: 4 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
+    ]),
+};
+pub(crate) static VISIBILITY_FILTER_LAST_1_MANY_1_COLOUR_1: Shader = Shader {
+    stage: Cow::Borrowed("visibility_filter"), name: Cow::Borrowed("visibility_filter_last_1_many_1_colour_1"), spirv: Cow::Borrowed(include_bytes!("visibility_filter_last_1_many_1_colour_1.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("visibility_history"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("filter_in"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("denoised_visibility"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("filter_in_colours"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 7, name: Cow::Borrowed("denoised_visibility_1"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: true },
+        ShaderBinding { number: 8, name: Cow::Borrowed("denoised_visibility_2"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: true },
+        ShaderBinding { number: 9, name: Cow::Borrowed("denoised_visibility_3"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: true },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("level"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("light_radius"), offset: 4, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("light_radius_1"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("light_radius_2"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("light_radius_3"), offset: 16, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("penumbra_blur"), offset: 20, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("visibility_sigma"), offset: 24, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_n"), offset: 28, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_z"), offset: 32, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("present"), offset: 36, scalar: Scalar::Uint },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("FIRST"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("LIGHTS"), id: 2, scalar: Scalar::Uint, default: 4 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
+    ]),
+};
+pub(crate) static VISIBILITY_SAMPLES_MANY_0_COLOUR_0: Shader = Shader {
+    stage: Cow::Borrowed("visibility_samples"), name: Cow::Borrowed("visibility_samples_many_0_colour_0"), spirv: Cow::Borrowed(include_bytes!("visibility_samples_many_0_colour_0.spv")), workgroup: [8, 8, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
@@ -1176,6 +1491,75 @@ pub(crate) static VISIBILITY_SAMPLES: Shader = Shader {
     members: Cow::Borrowed(&[
     ]),
     constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
+    ]),
+};
+pub(crate) static VISIBILITY_SAMPLES_MANY_0_COLOUR_1: Shader = Shader {
+    stage: Cow::Borrowed("visibility_samples"), name: Cow::Borrowed("visibility_samples_many_0_colour_1"), spirv: Cow::Borrowed(include_bytes!("visibility_samples_many_0_colour_1.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("noisy_visibility"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("occluder_distance"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("visibility_samples"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("sample_colours"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
+    ]),
+};
+pub(crate) static VISIBILITY_SAMPLES_MANY_1_COLOUR_0: Shader = Shader {
+    stage: Cow::Borrowed("visibility_samples"), name: Cow::Borrowed("visibility_samples_many_1_colour_0"), spirv: Cow::Borrowed(include_bytes!("visibility_samples_many_1_colour_0.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("noisy_visibility"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("occluder_distance"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("visibility_samples"), kind: BindingKind::StorageImage(TexelFormat::Rgba32ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("noisy_visibility_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 7, name: Cow::Borrowed("noisy_visibility_2"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 8, name: Cow::Borrowed("noisy_visibility_3"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 9, name: Cow::Borrowed("occluder_distance_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 10, name: Cow::Borrowed("occluder_distance_2"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 11, name: Cow::Borrowed("occluder_distance_3"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("LIGHTS"), id: 2, scalar: Scalar::Uint, default: 4 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
+    ]),
+};
+pub(crate) static VISIBILITY_SAMPLES_MANY_1_COLOUR_1: Shader = Shader {
+    stage: Cow::Borrowed("visibility_samples"), name: Cow::Borrowed("visibility_samples_many_1_colour_1"), spirv: Cow::Borrowed(include_bytes!("visibility_samples_many_1_colour_1.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("noisy_visibility"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("occluder_distance"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("visibility_samples"), kind: BindingKind::StorageImage(TexelFormat::Rgba32ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("sample_colours"), kind: BindingKind::StorageImage(TexelFormat::Rgba32ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 7, name: Cow::Borrowed("noisy_visibility_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 8, name: Cow::Borrowed("noisy_visibility_2"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 9, name: Cow::Borrowed("noisy_visibility_3"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 10, name: Cow::Borrowed("occluder_distance_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 11, name: Cow::Borrowed("occluder_distance_2"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 12, name: Cow::Borrowed("occluder_distance_3"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("LIGHTS"), id: 2, scalar: Scalar::Uint, default: 4 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
 pub(crate) static VOLUME_MOTION_RESOLVE_0: Shader = Shader {
@@ -1223,4 +1607,4 @@ pub(crate) static VOLUME_POINTS: Shader = Shader {
     ]),
 };
 #[cfg(test)]
-pub(crate) static ALL: &[&Shader] = &[&ATROUS_SIGNALS_1, &ATROUS_SIGNALS_2, &ATROUS_SIGNALS_1_SPECULAR_1, &BLOCK_DIFFERENCE, &BLOCK_PERCENTILES, &CHANGE_TEST, &CLEAR_CLAIMS, &DEBUG_VIEW, &DEMODULATE_LUMINANCE_0, &DEMODULATE_LUMINANCE_1, &EAW_SIGNALS_1, &EAW_SIGNALS_2, &FILL_HOLES, &FILTER_EXPOSURE, &FIREFLY, &FIREFLY_LIMITS_RETURNING_0, &FIREFLY_LIMITS_RETURNING_1, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1, &GRADIENT, &GRADIENT_ATROUS_RATIO_0, &GRADIENT_ATROUS_RATIO_1, &HISTORY_CONFIDENCE_SOURCE_0, &HISTORY_CONFIDENCE_SOURCE_1, &IMPORT_SURFACE_ID_0, &IMPORT_SURFACE_ID_1, &LIGHT_GUIDES, &MODULATE_FLOAT_0, &MODULATE_FLOAT_1, &PERCENTILE_RULE, &REACTIVE_MASK, &SAMPLE_ALBEDO, &SHADOWED_LIGHT_FLOAT_0, &SHADOWED_LIGHT_FLOAT_1, &SPECULAR_ACCUMULATION, &TEMPORAL_ACCUMULATION_SIGNALS_1, &TEMPORAL_ACCUMULATION_SIGNALS_2, &TEMPORAL_UPSCALE_FLOAT_0, &TEMPORAL_UPSCALE_FLOAT_1, &TONE_MAP, &UPSAMPLE_NUMBER_0, &UPSAMPLE_NUMBER_1, &VARIANCE_SIGNALS_1, &VARIANCE_SIGNALS_2, &VISIBILITY_ACCUMULATION, &VISIBILITY_FILTER_LAST_0, &VISIBILITY_FILTER_LAST_1, &VISIBILITY_SAMPLES, &VOLUME_MOTION_RESOLVE_0, &VOLUME_MOTION_RESOLVE_1, &VOLUME_POINTS, ];
+pub(crate) static ALL: &[&Shader] = &[&ATROUS_SIGNALS_1, &ATROUS_SIGNALS_2, &ATROUS_SIGNALS_1_SPECULAR_1, &BLOCK_DIFFERENCE, &BLOCK_PERCENTILES, &CHANGE_TEST, &CLEAR_CLAIMS, &DEBUG_VIEW, &DEMODULATE_LUMINANCE_0, &DEMODULATE_LUMINANCE_1, &EAW_SIGNALS_1, &EAW_SIGNALS_2, &FILL_HOLES, &FILTER_EXPOSURE, &FIREFLY, &FIREFLY_LIMITS_RETURNING_0, &FIREFLY_LIMITS_RETURNING_1, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1, &GRADIENT, &GRADIENT_ATROUS_RATIO_0, &GRADIENT_ATROUS_RATIO_1, &HISTORY_CONFIDENCE_SOURCE_0, &HISTORY_CONFIDENCE_SOURCE_1, &IMPORT_SURFACE_ID_0, &IMPORT_SURFACE_ID_1, &LIGHT_GUIDES, &MODULATE_FLOAT_0, &MODULATE_FLOAT_1, &PERCENTILE_RULE, &REACTIVE_MASK, &SAMPLE_ALBEDO, &SHADOWED_LIGHT_FLOAT_0, &SHADOWED_LIGHT_FLOAT_1, &SPECULAR_ACCUMULATION, &TEMPORAL_ACCUMULATION_SIGNALS_1, &TEMPORAL_ACCUMULATION_SIGNALS_2, &TEMPORAL_UPSCALE_FLOAT_0, &TEMPORAL_UPSCALE_FLOAT_1, &TONE_MAP, &UPSAMPLE_NUMBER_0, &UPSAMPLE_NUMBER_1, &VARIANCE_SIGNALS_1, &VARIANCE_SIGNALS_2, &VISIBILITY_ACCUMULATION_MANY_0_COLOUR_0, &VISIBILITY_ACCUMULATION_MANY_0_COLOUR_1, &VISIBILITY_ACCUMULATION_MANY_1_COLOUR_0, &VISIBILITY_ACCUMULATION_MANY_1_COLOUR_1, &VISIBILITY_FILTER_LAST_0_MANY_0_COLOUR_0, &VISIBILITY_FILTER_LAST_1_MANY_0_COLOUR_0, &VISIBILITY_FILTER_LAST_0_MANY_0_COLOUR_1, &VISIBILITY_FILTER_LAST_1_MANY_0_COLOUR_1, &VISIBILITY_FILTER_LAST_0_MANY_1_COLOUR_0, &VISIBILITY_FILTER_LAST_1_MANY_1_COLOUR_0, &VISIBILITY_FILTER_LAST_0_MANY_1_COLOUR_1, &VISIBILITY_FILTER_LAST_1_MANY_1_COLOUR_1, &VISIBILITY_SAMPLES_MANY_0_COLOUR_0, &VISIBILITY_SAMPLES_MANY_0_COLOUR_1, &VISIBILITY_SAMPLES_MANY_1_COLOUR_0, &VISIBILITY_SAMPLES_MANY_1_COLOUR_1, &VOLUME_MOTION_RESOLVE_0, &VOLUME_MOTION_RESOLVE_1, &VOLUME_POINTS, ];

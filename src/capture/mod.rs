@@ -221,7 +221,9 @@ impl SequenceWriter {
             to[..row].copy_from_slice(from);
         }
         let planes = texel.planes(&texels);
-        Ok(Layer::of_input(name, &self.declaration.setup().conventions, planes, extent[0] as usize * extent[1] as usize))
+        let coloured = self.declaration.find("visibility_history_colours").is_some();
+        let conventions = &self.declaration.setup().conventions;
+        Ok(Layer::of_input(name, conventions, coloured, planes, extent[0] as usize * extent[1] as usize))
     }
 
     pub(crate) fn error(&self, problem: String) -> Error {

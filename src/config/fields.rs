@@ -34,16 +34,17 @@ macro_rules! config_fields {
                 /// you sampled by transmittance. 0, infinite or NaN means none. The filter follows the point to the
                 /// next frame. Without the input a volume moves as the surfaces behind it.
                 volume: host flag bool = false;
-                /// Whether you give the visibility of one light, such as the sun, apart. The input `noisy_visibility`
-                /// goes from 0 (occluded) to 1 (lit), usually one of the two. The input `occluder_distance` is the
-                /// distance from the surface to the occluder along the shadow ray (scene units; 0 or infinite: none, or
-                /// not known). The output is `denoised_visibility`. Set the size of the light with
-                /// [`crate::Tuning::light_radius`]. Costs 12 bytes per pixel, the output included. Default: false.
+                /// Number of lights, such as the sun, whose visibility you give apart: 0 to 4. The input
+                /// `noisy_visibility` goes from 0 (occluded) to 1 (lit), usually one of the two. The input
+                /// `occluder_distance` is the distance from the surface to the occluder along the shadow ray (scene
+                /// units; 0 or infinite: none, or not known). The output is `denoised_visibility`. Set the size of the
+                /// light with [`crate::Tuning::light_radius`]. The names of further lights end in `_1` to `_3`. Costs 12
+                /// bytes per pixel for one light, the outputs included, and 66 for four. Default: 0.
                 ///
-                /// Multiply your light by the output. Or give the optional input `unshadowed_direct`, the light of the
-                /// surface without an occluder, times albedo and BSDF. `denoised_radiance` then contains the product.
-                /// Either way, leave that light out of your noisy radiance.
-                visibility: host flag bool = false;
+                /// Multiply each of your lights by its output. Or give the optional input `unshadowed_direct`, the light
+                /// of the surface without an occluder, times albedo and BSDF. `denoised_radiance` then contains the
+                /// product. Either way, leave that light out of your noisy radiance.
+                visibility: host number u32 = 0;
                 /// Whether outliers of the input are scaled down to the usual brightness around them, before they reach
                 /// the history \[PSVGF\]. [`Preset::Percentile`] always does so. Default: false.
                 firefly_filter: filter flag bool = false;
@@ -83,6 +84,15 @@ macro_rules! config_fields {
                 /// `upscaled_radiance` with [`PostProcess::None`]. Costs 16 bytes per pixel of the output, and 8 of the
                 /// result. None: the picture has the size that you rendered. Default: none.
                 output_extent: host extent_or_none Option<[u32; 2]> = None;
+                /// Whether the visibility of lights has a colour, for stained glass and leaves: red, green and blue of
+                /// `noisy_visibility` and `denoised_visibility`. Costs about twice the memory of grey ones. Default:
+                /// false.
+                coloured_visibility: filter flag bool = false;
+                /// Whether you give ambient occlusion apart. The input `noisy_ambient` is 0 where a ray into the hemisphere,
+                /// drawn by the cosine, hit something, and 1 where it did not. The input `ambient_distance` is the distance
+                /// of that hit (scene units; 0 or infinite: none). The output is `denoised_ambient`: multiply your ambient
+                /// light by it. Costs 12 bytes per pixel, the output included. Default: false.
+                ambient_occlusion: host flag bool = false;
             }
             conventions {
                 /// Encoding of depth. Default: [`DepthEncoding::Linear`].

@@ -111,6 +111,7 @@ impl Config {
             ("frames_in_flight", self.frames_in_flight, 1, 8),
             ("levels", self.levels(), 1, 10),
             ("stratum_size", self.stratum_size, 2, 4),
+            ("visibility", self.visibility, 0, 4),
         ];
         for (name, given, min, max) in ranges {
             if !(min..=max).contains(&given) {

@@ -114,7 +114,7 @@ mod tests {
         for view in [DebugView::LobeAngle, DebugView::VirtualMotion, DebugView::ReflectionHistory] {
             assert!(specular.contains(&view) && !views(Preset::Svgf).contains(&view), "{view}");
         }
-        let visibility = Config { visibility: true, debug_view: true, ..Config::new([16, 16]) }.declare().expect("valid");
+        let visibility = Config { visibility: 1, debug_view: true, ..Config::new([16, 16]) }.declare().expect("valid");
         for view in [DebugView::Visibility, DebugView::Penumbra] {
             assert!(visibility.debug_views().contains(&view) && !specular.contains(&view), "{view}");
         }

@@ -70,9 +70,8 @@ pub struct FrameParams {
     /// not say.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub complete_frames: Option<u64>,
-    /// The first is the place of the light of [`crate::Config::visibility`], in world space: x, y, z, 1 of a lamp; x, y, z, 0 is the
-    /// direction towards a sun. With a place the shadows of things and lights that move are followed. The others are not read yet.
-    /// Default: 0, not known.
+    /// Places of the lights of [`crate::Config::visibility`], in world space: x, y, z, 1 of a lamp; x, y, z, 0 is the direction towards
+    /// a sun. With a place the shadows of things and lights that move are followed. Default: 0, not known.
     #[cfg_attr(feature = "serde", serde(default))]
     pub lights: [[f32; 4]; 4],
     /// With [`crate::Config::light_extent`], the rendered pixel that each pixel of light was traced for: `light_offset` beyond

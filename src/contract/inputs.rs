@@ -96,10 +96,21 @@ pub struct Input {
     pub counter: Option<Counter>,
     /// The layer that it has in EXR files; `None` for what has none.
     pub layer: Option<InputLayer>,
+    /// Of what each light has that is filtered apart, the number of the light: 0 to 3. Names of further lights end in it.
+    pub light: usize,
 }
 
 macro_rules! inputs {
-    ($($(#[doc = $doc:literal])+ $constant:ident = $name:literal: $role:ident $kind:ident, $optional:literal, $counter:expr, $layer:expr;)+) => {
+    (
+        $($(#[doc = $doc:literal])+ $constant:ident = $name:literal: $role:ident $kind:ident, $optional:literal, $counter:expr, $layer:expr;)+
+        each light {
+            $(
+                $(#[doc = $light_doc:literal])+
+                $of_lights:ident = $light_name:literal: $light_role:ident $light_kind:ident, $light_optional:literal, $light_counter:expr,
+                $light_layer:literal $components:ident;
+            )+
+        }
+    ) => {
         impl Input {
             $($(#[doc = $doc])+ pub const $constant: Self = Self {
                 name: $name,
@@ -109,10 +120,35 @@ macro_rules! inputs {
                 optional: $optional,
                 counter: $counter,
                 layer: $layer,
+                light: 0,
+            };)+
+
+            $($(#[doc = $light_doc])+ pub const $of_lights: [Self; 4] = {
+                const fn of(light: usize, name: &'static str, layer: &'static [&'static str]) -> Input {
+                    Input {
+                        name,
+                        doc: concat!($($light_doc),+),
+                        role: InputRole::$light_role,
+                        kind: InputKind::$light_kind,
+                        optional: $light_optional,
+                        counter: $light_counter,
+                        layer: captured(layer, $components),
+                        light,
+                    }
+                }
+                [
+                    of(0, $light_name, &[$light_layer]),
+                    of(1, concat!($light_name, "_1"), &[concat!($light_layer, "_1")]),
+                    of(2, concat!($light_name, "_2"), &[concat!($light_layer, "_2")]),
+                    of(3, concat!($light_name, "_3"), &[concat!($light_layer, "_3")]),
+                ]
             };)+
 
             /// Every input, in the order of tables.
-            pub const ALL: &'static [Self] = &[$(Self::$constant),+];
+            pub const ALL: &'static [Self] = &[
+                $(Self::$constant,)+
+                $(Self::$of_lights[0], Self::$of_lights[1], Self::$of_lights[2], Self::$of_lights[3],)+
+            ];
         }
     };
 }
@@ -120,6 +156,8 @@ macro_rules! inputs {
 const RGB: &[&str] = &["R", "G", "B"];
 const XYZ: &[&str] = &["X", "Y", "Z"];
 const XY: &[&str] = &["X", "Y"];
+const Z: &[&str] = &["Z"];
+const I: &[&str] = &["I"];
 
 /// A layer that captures alone have.
 const fn captured(names: &'static [&'static str], components: &'static [&'static str]) -> Option<InputLayer> {
@@ -172,6 +210,8 @@ inputs! {
         captured(&["hitdist", "hit_distance"], &["D"]);
     /// the `surface_id` at that hit: with `instance_transforms`, moving things in mirrors, and moving mirrors, are followed
     SPECULAR_HIT_ID = "specular_hit_id": Guide Id, true, Some(Counter::HitId), captured(&["hit_id"], &["I"]);
+    /// before that id: previous − current place of the hit, world space
+    SPECULAR_MOTION = "specular_motion": Guide Vector, true, Some(Counter::SpecularMotion), captured(&["specular_motion"], XYZ);
     /// with `Config::forward_motion`, for gradients: motion of deforming surfaces from the previous frame to this one
     FORWARD_MOTION = "forward_motion": Change Vector, false, Some(Counter::ForwardMotion), captured(&["forward_motion"], XYZ);
     /// with `GradientSource::Reshaded`: the paths of the previous frame, traced again in this scene
@@ -189,33 +229,39 @@ inputs! {
     /// volume its own motion
     SCATTERING_DEPTH = "scattering_depth": Guide Scalar, true, Some(Counter::ScatteringDepth),
         captured(&["scattering_depth"], &["Z"]);
-    /// with `Config::visibility`: 0 (occluded) to 1 (lit), by one shadow ray. Leave this light out of the noisy radiance
-    NOISY_VISIBILITY = "noisy_visibility": Signal Scalar, false, Some(Counter::Visibility), captured(&["visibility"], &["Z"]);
-    /// with `Config::visibility`: distance of the occluder along the shadow ray, scene units; 0 or infinite: none or not known
-    OCCLUDER_DISTANCE = "occluder_distance": Guide Scalar, false, Some(Counter::OccluderDistance),
-        captured(&["occluder_distance"], &["Z"]);
-    /// the `surface_id` of the occluder: with `instance_transforms` and `FrameParams::lights`, moving shadows are followed
-    OCCLUDER_ID = "occluder_id": Guide Id, true, Some(Counter::OccluderId), captured(&["occluder_id"], &["I"]);
-    /// instead of ids: previous − current place of the occluding point, world space
-    OCCLUDER_MOTION = "occluder_motion": Guide Vector, true, Some(Counter::OccluderMotion),
-        captured(&["occluder_motion"], XYZ);
-    /// with `Config::visibility`: the reflected light without occluders, albedo included; `denoised_radiance` then has the product
-    UNSHADOWED_DIRECT = "unshadowed_direct": Composition Colour, true, Some(Counter::Radiance),
-        captured(&["unshadowed_direct"], RGB);
+    /// with `Config::ambient_occlusion`: 1 where a ray, drawn by the cosine, hit nothing, else 0
+    NOISY_AMBIENT = "noisy_ambient": Signal Scalar, false, Some(Counter::Visibility), captured(&["ambient"], Z);
+    /// distance of that hit, scene units; 0 or infinite: none
+    AMBIENT_DISTANCE = "ambient_distance": Guide Scalar, false, Some(Counter::OccluderDistance),
+        captured(&["ambient_distance"], Z);
+    each light {
+        /// with `Config::visibility`: 0 (occluded) to 1 (lit), by one shadow ray; red alone, unless `Config::coloured_visibility`. Leave
+        /// this light out of the noisy radiance
+        NOISY_VISIBILITY = "noisy_visibility": Signal Colour, false, Some(Counter::Visibility), "visibility" RGB;
+        /// distance of the occluder along the shadow ray, scene units; 0 or infinite: none
+        OCCLUDER_DISTANCE = "occluder_distance": Guide Scalar, false, Some(Counter::OccluderDistance), "occluder_distance" Z;
+        /// the `surface_id` of the occluder: with `instance_transforms` and `FrameParams::lights`, moving shadows are followed
+        OCCLUDER_ID = "occluder_id": Guide Id, true, Some(Counter::OccluderId), "occluder_id" I;
+        /// instead of ids: previous − current place of the occluding point, world space
+        OCCLUDER_MOTION = "occluder_motion": Guide Vector, true, Some(Counter::OccluderMotion), "occluder_motion" XYZ;
+        /// the reflected light without occluders, albedo included; `denoised_radiance` then has the product
+        UNSHADOWED_DIRECT = "unshadowed_direct": Composition Colour, true, Some(Counter::Radiance), "unshadowed_direct" RGB;
+    }
 }
 
 impl Input {
     /// Whether it has the pixels of the light, and not those of the guides, where [`crate::Config::light_extent`] sets them apart.
     pub(crate) fn is_of_light(&self) -> bool {
-        const OF_LIGHT: [Input; 6] = [
+        const OF_LIGHT: [Input; 5] = [
             Input::SPECULAR_HIT_DISTANCE,
             Input::SPECULAR_HIT_ID,
-            Input::OCCLUDER_DISTANCE,
-            Input::OCCLUDER_ID,
-            Input::OCCLUDER_MOTION,
+            Input::SPECULAR_MOTION,
             Input::SCATTERING_DEPTH,
+            Input::AMBIENT_DISTANCE,
         ];
-        matches!(self.role, InputRole::Signal | InputRole::Change) || OF_LIGHT.contains(self)
+        const OF_LIGHTS: [[Input; 4]; 3] = [Input::OCCLUDER_DISTANCE, Input::OCCLUDER_ID, Input::OCCLUDER_MOTION];
+        let signals = matches!(self.role, InputRole::Signal | InputRole::Change);
+        signals || OF_LIGHT.contains(self) || OF_LIGHTS.iter().flatten().any(|input| input == self)
     }
 
     /// The input of a name.

@@ -57,6 +57,8 @@ choices! {
         OccluderId = 19 => "occluder_id",
         /// An `occluder_motion` that is not finite. Of occluded surfaces, and not in a frame with a reset.
         OccluderMotion = 20 => "occluder_motion",
+        /// A `specular_motion` that is not finite, as [`Self::HitId`].
+        SpecularMotion = 21 => "specular_motion",
     }
 }
 

@@ -175,6 +175,14 @@ tuning! {
     taa_alpha: "1", 0.01 ..= 1.0, 0.45;
     /// Size of the colour box that clips the history of temporal upscaling and anti-aliasing. Raising it flickers less and ghosts more.
     taa_gamma: "standard deviations", 0.0 ..= 8.0, 6.0;
+    /// `light_radius` of the second light. Raising it blurs its shadows more.
+    light_radius_1: "radians", 0.0 ..= 1.5, 0.00465;
+    /// `light_radius` of the third light. Raising it blurs its shadows more.
+    light_radius_2: "radians", 0.0 ..= 1.5, 0.00465;
+    /// `light_radius` of the fourth light. Raising it blurs its shadows more.
+    light_radius_3: "radians", 0.0 ..= 1.5, 0.00465;
+    /// Reach of the filter of ambient occlusion. Raising it leaves less noise and blurs contact more.
+    ambient_radius: "distances of the occluder", 0.0 ..= 1.5, 0.5;
 }
 
 /// Those of the default preset.
@@ -204,6 +212,11 @@ impl Tuning {
         if let Some(write) = Self::WRITERS.get(index) {
             write(self, bits);
         }
+    }
+
+    /// Angular radii of the lights whose visibility is filtered.
+    pub(crate) fn light_radii(&self) -> [f32; 4] {
+        [self.light_radius, self.light_radius_1, self.light_radius_2, self.light_radius_3]
     }
 
     /// The defaults for a preset.

@@ -48,7 +48,7 @@ pub use stage::{Stage, StageCall, StageOutputs};
 
 pub(crate) use pass::Pass;
 pub(crate) use port::KeptLuminance;
-pub(crate) use resources::{CONFIDENCE, HDR, PACKED_32, PACKED_64, WIDE_HDR};
+pub(crate) use resources::{CONFIDENCE, HDR, PACKED_128, PACKED_32, PACKED_64, WIDE_HDR};
 
 use crate::choice::choices;
 use crate::config::{Config, Conventions};

@@ -92,6 +92,14 @@ impl Pass {
         self
     }
 
+    /// The constant `LIGHTS` of a shader of several lights.
+    pub(crate) fn lights(self, lights: u32) -> Self {
+        match lights {
+            1 => self,
+            _ => self.constant("LIGHTS", lights),
+        }
+    }
+
     /// Sets the source of a member of the push constants, where it is not the tunable of its name.
     pub(crate) fn value(mut self, member: &str, value: Value) -> Self {
         if value != Value::Own {

@@ -17,19 +17,46 @@ pub struct Image {
 
 impl Image {
     /// An image of no graph.
-    pub(super) const NONE: Self = Self { graph: u32::MAX, id: ResourceId(u32::MAX), version: 0 };
+    pub(crate) const NONE: Self = Self { graph: u32::MAX, id: ResourceId(u32::MAX), version: 0 };
 }
 
-/// One image of one kind, or two: one for each signal that is filtered in the same passes.
+/// What visibility is of.
+#[derive(Clone, Copy, Debug)]
+pub struct Lights {
+    /// Number of lights, 1 to 4. Default: 1.
+    pub count: u32,
+    /// Whether their visibility has red, green and blue. Default: false.
+    pub coloured: bool,
+    /// Whether it is no light's, but that of all directions: ambient occlusion. Default: false.
+    pub ambient: bool,
+}
+
+impl Default for Lights {
+    fn default() -> Self {
+        Self::ONE
+    }
+}
+
+impl Lights {
+    const ONE: Self = Self { count: 1, coloured: false, ambient: false };
+}
+
+/// Images of a port at most.
+const MOST_IMAGES: usize = 4;
+
+/// One image of one kind, or two: one for each signal that is filtered in the same passes. Of [`Visibility`] up to four, one for each
+/// light.
 ///
 /// A port of a different kind does not compile here. [`Port::of`] makes a port from an image that a
 /// stage of yours wrote.
 #[derive(Debug)]
 pub struct Port<K> {
-    images: [Image; 2],
+    images: [Image; MOST_IMAGES],
     count: usize,
     /// Whether a negative alpha marks pixels without a sample of their own.
     holes: bool,
+    /// Of visibility: the lights whose words a texel has.
+    lights: Lights,
     kind: PhantomData<K>,
 }
 
@@ -45,12 +72,19 @@ impl<K> Copy for Port<K> {}
 impl<K> Port<K> {
     /// A port of one image. You vouch for its content; its format is checked by its reader.
     pub fn of(image: Image) -> Self {
-        Self { images: [image; 2], count: 1, holes: false, kind: PhantomData }
+        Self { images: [image; MOST_IMAGES], count: 1, holes: false, lights: Lights::ONE, kind: PhantomData }
     }
 
     pub(crate) fn of_images(images: &[Image]) -> Option<Self> {
-        let (first, last) = (images.first()?, images.last()?);
-        (images.len() <= 2).then_some(Self { images: [*first, *last], count: images.len(), holes: false, kind: PhantomData })
+        let last = images.last()?;
+        let all = std::array::from_fn(|i| *images.get(i).unwrap_or(last));
+        (images.len() <= MOST_IMAGES).then_some(Self {
+            images: all,
+            count: images.len(),
+            holes: false,
+            lights: Lights::ONE,
+            kind: PhantomData,
+        })
     }
 
     /// The images, one for each signal.
@@ -63,14 +97,14 @@ impl<K> Port<K> {
         self.images[0]
     }
 
-    /// Number of signals: 1 or 2.
+    /// Number of images: of signals 1 or 2, of lights up to 4.
     pub fn signals(&self) -> usize {
         self.count
     }
 
     /// The images of this port under a different kind, for code that two kinds share.
     pub(crate) fn cast<L>(self) -> Port<L> {
-        Port { images: self.images, count: self.count, holes: false, kind: PhantomData }
+        Port { images: self.images, count: self.count, holes: false, lights: self.lights, kind: PhantomData }
     }
 
     pub(crate) fn has_filled_holes(&self) -> bool {
@@ -124,13 +158,13 @@ pub mod kind {
     /// Display-referred linear colour in rgb, 0 to 1.
     #[derive(Debug)]
     pub enum Display {}
-    /// Visibility of a light with the distance of its occluder, packed half floats.
+    /// Visibility of lights with the distances of their occluders, packed half floats; in colour a second image has green and blue.
     #[derive(Debug)]
     pub enum VisibilitySamples {}
-    /// Visibility of a light, blended with its past; packed.
+    /// Visibility of lights, blended with its past; packed; in colour a second image has green and blue.
     #[derive(Debug)]
     pub enum VisibilityAccumulated {}
-    /// Visible share of a light: 0, none, to 1, all of it.
+    /// Visible share of each light: 0, none, to 1, all of it.
     #[derive(Debug)]
     pub enum Visibility {}
 }
@@ -163,12 +197,23 @@ pub type FireflyLimits = Port<kind::FireflyLimits>;
 pub type Difference = Port<kind::Difference>;
 /// Display-referred linear colour.
 pub type Display = Port<kind::Display>;
-/// Visibility of a light as you gave it.
+/// Visibility of lights as you gave it.
 pub type VisibilitySamples = Port<kind::VisibilitySamples>;
-/// Visibility of a light, blended with its past.
+/// Visibility of lights, blended with its past.
 pub type VisibilityAccumulated = Port<kind::VisibilityAccumulated>;
-/// Visible share of a light.
+/// Visible share of each light.
 pub type Visibility = Port<kind::Visibility>;
+
+impl<K> Port<K> {
+    /// A port of words for these lights.
+    pub(crate) fn with_lights(self, lights: Lights) -> Self {
+        Self { lights, ..self }
+    }
+
+    pub(crate) fn lights(&self) -> Lights {
+        self.lights
+    }
+}
 
 impl Irradiance {
     /// Declares that a negative alpha marks pixels without a sample of their own, whose irradiance

@@ -10,6 +10,8 @@ pub(crate) const HDR: ImageFormat = ImageFormat::Exactly(vk::Format::R16G16B16A1
 pub(crate) const WIDE_HDR: ImageFormat = ImageFormat::Exactly(vk::Format::R32G32B32A32_SFLOAT);
 /// 64 packed bits. Four times 16 and not twice 32, since that one needs no device feature as a storage image.
 pub(crate) const PACKED_64: ImageFormat = ImageFormat::Exactly(vk::Format::R16G16B16A16_UINT);
+/// Four times 32 packed bits.
+pub(crate) const PACKED_128: ImageFormat = ImageFormat::Exactly(vk::Format::R32G32B32A32_UINT);
 /// 32 packed bits.
 pub(crate) const PACKED_32: ImageFormat = ImageFormat::Exactly(vk::Format::R32_UINT);
 /// Colour of a name that a host chose.
@@ -32,7 +34,7 @@ impl Graph {
     /// light.
     pub fn pair<K>(&mut self, first: &Port<K>, second: &Port<K>) -> Port<K> {
         let images: Vec<_> = first.images().iter().chain(second.images()).copied().collect();
-        Port::of_images(&images).unwrap_or_else(|| {
+        Port::of_images(&images).filter(|_| images.len() <= 2).unwrap_or_else(|| {
             self.fail(
                 "pair",
                 "second",

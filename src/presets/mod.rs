@@ -31,9 +31,10 @@ pub use volume::volume;
 use crate::config::{Config, PostProcess, Preset, Signals};
 use crate::contract::Declaration;
 use crate::error::Error;
-use crate::graph::{Graph, Guides, Irradiance, Radiance};
+use crate::graph::{Graph, Guides, Image, Irradiance, Radiance, Visibility};
+use crate::nodes::visibility_filter::OUTPUTS;
 use crate::nodes::{Import, Intermediates, TemporalUpscale, Usual};
-use visibility::{visibility, visibility_accumulated};
+use visibility::{ambient, ambient_accumulated, visibility, visibility_accumulated};
 
 /// The outputs of a preset.
 #[derive(Clone, Copy, Debug)]
@@ -79,7 +80,8 @@ impl Config {
             albedo: filter.is_some(),
         });
         filter_exposure(&mut g, self);
-        let accumulated = self.visibility.then(|| visibility_accumulated(&mut g, &guides));
+        let accumulated = (self.visibility > 0).then(|| visibility_accumulated(&mut g, &guides, self));
+        let open = self.ambient_occlusion.then(|| ambient_accumulated(&mut g, &guides));
         let mut surfaces = filter.map(|filter| filter(&mut g, &guides, self));
         if let Some(denoised) = &surfaces {
             outputs(&mut g, denoised);
@@ -87,9 +89,16 @@ impl Config {
         }
         if let Some(accumulated) = accumulated {
             let visibility = visibility(&mut g, &guides, &accumulated);
-            let visibility = g.scope("visibility", |g| g.upsample(&guides, &visibility));
-            g.output("denoised_visibility", &visibility);
+            let visibility = upsampled(&mut g, &guides, "visibility", &visibility);
+            for (name, image) in OUTPUTS.iter().zip(visibility.images()) {
+                g.output(name, &Visibility::of(*image));
+            }
             surfaces = surfaces.map(|of| Denoised { radiance: g.shadowed_light(&of.radiance, &visibility), ..of });
+        }
+        if let Some(open) = open {
+            let open = ambient(&mut g, &guides, &open);
+            let open = upsampled(&mut g, &guides, "ambient", &open);
+            g.output("denoised_ambient", &open);
         }
         let fog = self.has_volume().then(|| {
             let fog = volume(&mut g, &guides, self);
@@ -123,6 +132,13 @@ impl Config {
     fn has_surface_history(&self) -> bool {
         !matches!(self.preset, Preset::Eaw | Preset::Volume)
     }
+}
+
+/// The visibility of each light, of every rendered pixel.
+fn upsampled(g: &mut Graph, guides: &Guides, scope: &str, visibility: &Visibility) -> Visibility {
+    let image = |g: &mut Graph, image: &Image| g.upsample(guides, &Visibility::of(*image)).image();
+    let images: Vec<Image> = g.scope(scope, |g| visibility.images().iter().map(|of_light| image(g, of_light)).collect());
+    Visibility::of_images(&images).unwrap_or(*visibility)
 }
 
 /// The filter of surfaces of a preset; none for [`Preset::Volume`].

@@ -1,6 +1,6 @@
 //! The bindings of a pass on the CPU: the frame, its parameters, and texels by the names that the shader has.
 
-use super::texels::{Texels, BYTES, COLOUR, PACKED, SCALAR, UINT};
+use super::texels::{Texels, BYTES, COLOUR, PACKED, SCALAR, UINT, WIDE};
 use super::{Image, InstanceTransform};
 use crate::{DebugView, Error, FrameConstants, Statistics, Tuning};
 
@@ -246,6 +246,8 @@ readers! {
     packed, optional_packed, packed_signals: PACKED, Packed, Image<[u16; 4]>;
     /// An image of 32 bits.
     uint, optional_uint, uints: UINT, Uint, Image<u32>;
+    /// An image of four times 32 bits.
+    wide, optional_wide, wides: WIDE, Wide, Image<[u32; 4]>;
     /// The bytes of a buffer.
     bytes, optional_bytes, buffers: BYTES, Bytes, [u8];
 }
@@ -271,6 +273,12 @@ impl From<Image<[u16; 4]>> for Texels {
 impl From<Image<u32>> for Texels {
     fn from(image: Image<u32>) -> Self {
         Self::Uint(image)
+    }
+}
+
+impl From<Image<[u32; 4]>> for Texels {
+    fn from(image: Image<[u32; 4]>) -> Self {
+        Self::Wide(image)
     }
 }
 

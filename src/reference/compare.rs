@@ -55,6 +55,8 @@ pub(crate) enum Reading {
     Reflection,
     /// Share of the past of `reflection*` that comes from the image, −1 without a past.
     ImageShare,
+    /// Green and blue means of `history_colours`.
+    VisibilityColours,
     /// Steps of the deviation, of the history length and of the distance of `visibility_history`.
     VisibilitySteps,
 }
@@ -131,18 +133,22 @@ impl Rule {
             Unit::Frame => [1, 1],
             Unit::Buffer => gpu.extent(),
         };
+        // Each light of several has a word, which counts as the texel of one does.
+        let words = if matches!(gpu, Texels::Wide(_)) { 4 } else { 1 };
         let (mut differ, mut first) = (0_usize, None);
         for y in 0..extent[1] as i32 {
             for x in 0..extent[0] as i32 {
                 let p = IVec2::new(x, y);
                 let (a, b) = (self.values.of(gpu, p), self.values.of(twin, p));
-                if !self.tolerance.admits(&a, &b) {
-                    differ += 1;
+                let far = |(a, b): &(&[f32], &[f32])| !self.tolerance.admits(a, b);
+                let count = a.chunks(a.len() / words).zip(b.chunks(b.len() / words)).filter(far).count();
+                if count > 0 {
+                    differ += count;
                     first.get_or_insert((x, y, a, b));
                 }
             }
         }
-        let allowed = (self.tolerance.outliers * (extent[0] * extent[1]) as f32).ceil() as usize;
+        let allowed = (self.tolerance.outliers * (extent[0] * extent[1] * words as u32) as f32).ceil() as usize;
         match first {
             Some((x, y, a, b)) if differ > allowed => Err(format!(
                 "{what}: {differ} texels of {extent:?} differ, {allowed} may; the first at {x},{y}: GPU {a:?}, twin {b:?}"
@@ -153,7 +159,7 @@ impl Rule {
 }
 
 impl Tolerance {
-    fn admits(&self, a: &Numbers, b: &Numbers) -> bool {
+    fn admits(&self, a: &[f32], b: &[f32]) -> bool {
         a.iter().zip(b).all(|(a, b)| {
             let limit = self.absolute + self.relative * a.abs().max(b.abs());
             a.is_finite() && b.is_finite() && (a - b).abs() <= limit
@@ -162,7 +168,7 @@ impl Tolerance {
 }
 
 /// The numbers of a texel; those that it does not have are 0.
-type Numbers = [f32; 6];
+type Numbers = [f32; 12];
 
 fn padded<const N: usize>(values: [f32; N]) -> Numbers {
     std::array::from_fn(|i| values.get(i).copied().unwrap_or(0.0))
@@ -180,6 +186,11 @@ impl Reading {
             Texels::Scalar(image) => padded([image.at(p)]),
             Texels::Packed(image) => self.of_packed(image.at(p)),
             Texels::Uint(image) => self.of_uint(image.at(p)),
+            Texels::Wide(image) => {
+                // Three numbers of a word at most.
+                let words = image.at(p).map(|word| self.of_uint(word));
+                std::array::from_fn(|i| words[i / 3][i % 3])
+            }
             Texels::Bytes(bytes) if self == Self::Counts => {
                 // Once a word: at its first byte.
                 let word = bytes.get(p.x as usize..p.x as usize + 4).filter(|_| p.x % 4 == 0);
@@ -194,7 +205,7 @@ impl Reading {
             Self::Guide => {
                 let s = unpack_guide(texel);
                 let [x, y, z] = s.normal;
-                [s.linear_depth, x, y, z, s.roughness, s.id.into()]
+                padded([s.linear_depth, x, y, z, s.roughness, s.id.into()])
             }
             Self::SurfaceMotion => {
                 let m = unpack_surface_motion(texel);
@@ -225,7 +236,11 @@ impl Reading {
                 padded([seen.hit_distance, seen.roughness])
             }
             Self::ImageShare => padded([unpack_image_share(texel).unwrap_or(-1.0)]),
-            Self::Visibility => padded([unpack_visibility(texel).mean]),
+            Self::Visibility => padded([unpack_visibility(texel, None).mean[0]]),
+            Self::VisibilityColours => {
+                let [_, green, blue] = unpack_visibility(0, Some(texel)).mean;
+                padded([green, blue])
+            }
             Self::VisibilitySteps => padded([(texel >> 12 & 0x3f) as f32, (texel >> 18 & 0x3f) as f32, (texel >> 24) as f32]),
             _ => padded(parts.map(f32::from)),
         }

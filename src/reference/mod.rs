@@ -79,5 +79,5 @@ pub(crate) use {
     surface_motion::{
         pack_depth_gradient, pack_surface_motion, unpack_depth_gradient, unpack_surface_motion, SurfaceMotion, LARGEST_MOTION,
     },
-    visibility::{pack_visibility, VisibilityHistory},
+    visibility::VisibilityHistory,
 };

@@ -1,4 +1,4 @@
-//! A mirror and the thing in it, as their instances carry them to the previous frame.
+//! A mirror and the thing in it, as they were in the previous frame.
 
 use super::curvature::Curvature;
 use super::reflection::{lobe_radius, SeenReflection};
@@ -12,11 +12,13 @@ use glam::Vec3;
 /// apart.
 const NARROW_LOBE: f32 = 1.0;
 
-/// By which instances mirrors and the things in them move.
+/// By what mirrors and the things in them move.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Instances<'a> {
     /// Ids of what the specular paths hit.
     pub hit_id: Option<&'a Image<u32>>,
+    /// The host's own motion of the points that they hit: previous minus current place, world space. It counts before the ids.
+    pub motion: Option<&'a Image<[f32; 4]>>,
     /// Ids of the mirrors.
     pub surface_id: Option<&'a Image<u32>>,
     /// Transforms by id.
@@ -30,7 +32,7 @@ pub(crate) struct Scenery {
     pub thing: Vec3,
     /// The image of the thing as a flat mirror showed it, in the axes of the mirror.
     pub image: Vec3,
-    /// The thing, by its instance.
+    /// The thing.
     pub followed: bool,
 }
 
@@ -57,12 +59,16 @@ impl Instances<'_> {
 
     /// `None` where neither moves, and where a transform leaves nothing to be seen.
     fn moved(&self, frame: &FrameConstants, mirror: &Mirror, curvature: &Curvature, thing: Vec3) -> Option<Scenery> {
-        let thing_to = self.carried(frame, self.hit_id?.at(mirror.p), thing);
+        let by_id = || self.carried(frame, self.hit_id?.at(mirror.p), thing).map(|(_, to)| to);
+        let thing_to = self.motion_at(mirror).map(|motion| thing + motion).or_else(by_id);
+        if self.hit_id.is_none() && self.motion.is_none() {
+            return None;
+        }
         let mirror_to = self.surface_id.and_then(|ids| self.carried(frame, ids.at(frame.guide_pixel(mirror.p)), mirror.position));
         if thing_to.is_none() && mirror_to.is_none() {
             return None;
         }
-        let (followed, thing) = (thing_to.is_some(), thing_to.map_or(thing, |(_, to)| to));
+        let (followed, thing) = (thing_to.is_some(), thing_to.unwrap_or(thing));
         let normal = mirror.surface.unit_normal();
         let (before, normal) = match mirror_to {
             Some((transform, position)) => {
@@ -86,11 +92,24 @@ impl Instances<'_> {
         Some((transform, carried(&transform, point.extend(1.0))?))
     }
 
+    fn motion_at(&self, mirror: &Mirror) -> Option<Vec3> {
+        let [x, y, z, _] = self.motion?.at(mirror.p);
+        Some(Vec3::new(x, y, z)).filter(|motion| motion.is_finite())
+    }
+
+    /// Whether the host's motion of the thing in a mirror is not finite.
+    pub(crate) fn has_bad_motion(&self, mirror: &Mirror, hit_distance: f32) -> bool {
+        hit_distance > 0.0 && self.motion.is_some() && self.motion_at(mirror).is_none()
+    }
+
     /// Whether the thing in a mirror should have a transform that can be used, and has none.
     pub(crate) fn lacks_transform(&self, frame: &FrameConstants, mirror: &Mirror, hit_distance: f32) -> bool {
         let Some(id) = self.hit_id.filter(|_| self.transforms.is_some()).map(|ids| ids.at(mirror.p)) else {
             return false;
         };
+        if self.motion_at(mirror).is_some() {
+            return false;
+        }
         let thing = mirror.position + mirror.sight.reflect(mirror.surface.unit_normal()) * hit_distance;
         hit_distance > 0.0 && id != 0 && self.carried(frame, id, thing).is_none()
     }

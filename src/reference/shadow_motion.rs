@@ -23,6 +23,8 @@ pub(crate) struct Occluders<'a> {
     pub motion: Option<&'a Image<[f32; 4]>>,
     /// Transforms by id.
     pub transforms: Option<&'a [InstanceTransform]>,
+    /// Number of the light.
+    pub light: usize,
 }
 
 /// A surface of this frame, and its plane in the previous one.
@@ -75,7 +77,7 @@ impl Occluders<'_> {
         receiver: &Receiver,
         q: IVec2,
     ) -> Option<ShadowPlace> {
-        let [light, light_before] = [frame.lights[0], frame.previous_lights[0]].map(Vec4::from);
+        let [light, light_before] = [frame.lights, frame.previous_lights].map(|lights| Vec4::from(lights[self.light]));
         let distance = self.distance.filter(|_| light != Vec4::ZERO)?.at(q)[0];
         let occluder = receiver.position + distance * (light.xyz() - light.w * receiver.position).normalize();
         let before = self.carried(frame, q, occluder);
@@ -208,6 +210,18 @@ mod tests {
                 assert!(by_motion.is_some_and(|place| place.position.distance(given.position) < 1e-3), "{by_motion:?}");
             }
         }
+    }
+
+    #[test]
+    fn each_light_has_a_place_of_its_own() {
+        let mut wall = Wall::new([[0.6, 0.0, 0.8, 0.0]; 2], Vec3::ZERO, [5.0, 5.0]);
+        (wall.frame.lights[2], wall.frame.previous_lights[2]) = ([0.0, 0.6, 0.8, 0.0], [0.0, 0.6, 0.8, 0.0]);
+        let motion = Image::new(EXTENT, [0.0, 0.0, 1.0, 0.0]);
+        let place = |light| wall.place(Occluders { motion: Some(&motion), light, ..Default::default() }, Vec3::ZERO);
+        let [first, third] = [0, 2].map(|light| place(light).expect("a shadow").position - wall.seen(wall.point(), Vec3::ZERO));
+        // What moved along the axis of sight moved its shadow the way in which its light stands.
+        assert!(first.x.abs() > 1.0 && first.y.abs() < 1e-2 && third.y.abs() > 1.0 && third.x.abs() < 1e-2, "{first} {third}");
+        assert_eq!(place(1), None, "nobody told where that is");
     }
 
     #[test]

@@ -16,6 +16,8 @@ pub enum Texels {
     Packed(Image<[u16; 4]>),
     /// 32 packed bits, and ids of a host.
     Uint(Image<u32>),
+    /// Four times 32 packed bits.
+    Wide(Image<[u32; 4]>),
     /// A buffer.
     Bytes(Vec<u8>),
 }
@@ -55,6 +57,7 @@ impl Texels {
             }
             vk::Format::R32_SFLOAT => Self::Scalar(image(extent, bytes)?),
             vk::Format::R32_UINT => Self::Uint(image(extent, bytes)?),
+            vk::Format::R32G32B32A32_UINT => Self::Wide(image(extent, bytes)?),
             _ => Self::Packed(image(extent, bytes)?),
         })
     }
@@ -66,6 +69,7 @@ impl Texels {
             Self::Scalar(image) => image.extent(),
             Self::Packed(image) => image.extent(),
             Self::Uint(image) => image.extent(),
+            Self::Wide(image) => image.extent(),
             Self::Bytes(bytes) => [bytes.len() as u32, 1],
         }
     }
@@ -77,6 +81,7 @@ impl Texels {
             Self::Scalar(image) => image.texels().iter().map(|x| [*x, 0.0, 0.0, 0.0]).collect(),
             Self::Packed(image) => image.texels().iter().map(|t| t.map(f32::from)).collect(),
             Self::Uint(image) => image.texels().iter().map(|x| [*x as f32, 0.0, 0.0, 0.0]).collect(),
+            Self::Wide(image) => image.texels().iter().map(|t| t.map(|x| x as f32)).collect(),
             Self::Bytes(bytes) => bytes.iter().map(|x| [f32::from(*x), 0.0, 0.0, 0.0]).collect(),
         }
     }
@@ -96,6 +101,7 @@ impl Texels {
             Self::Scalar(_) => SCALAR,
             Self::Packed(_) => PACKED,
             Self::Uint(_) => UINT,
+            Self::Wide(_) => WIDE,
             Self::Bytes(_) => BYTES,
         }
     }
@@ -105,6 +111,7 @@ pub(super) const COLOUR: &str = "an image of four floats";
 pub(super) const SCALAR: &str = "an image of one float";
 pub(super) const PACKED: &str = "an image of 64 packed bits";
 pub(super) const UINT: &str = "an image of 32 bits";
+pub(super) const WIDE: &str = "an image of four times 32 bits";
 pub(super) const BYTES: &str = "a buffer";
 
 fn image<T: Clone + bytemuck::AnyBitPattern + bytemuck::NoUninit>(extent: [u32; 2], bytes: &[u8]) -> Result<Image<T>, Error> {
@@ -113,11 +120,11 @@ fn image<T: Clone + bytemuck::AnyBitPattern + bytemuck::NoUninit>(extent: [u32; 
 
 fn byte_size(format: vk::Format, [width, height]: [u32; 2]) -> Result<usize, Error> {
     let each = match format {
-        vk::Format::R32G32B32A32_SFLOAT => 16,
+        vk::Format::R32G32B32A32_SFLOAT | vk::Format::R32G32B32A32_UINT => 16,
         vk::Format::R16G16B16A16_SFLOAT | vk::Format::R16G16B16A16_UINT => 8,
         vk::Format::R32_SFLOAT | vk::Format::R32_UINT => 4,
         given => {
-            let allowed = "R32G32B32A32_SFLOAT, R16G16B16A16_SFLOAT, R32_SFLOAT, R16G16B16A16_UINT or R32_UINT";
+            let allowed = "R32G32B32A32_SFLOAT, R16G16B16A16_SFLOAT, R32_SFLOAT, R32G32B32A32_UINT, R16G16B16A16_UINT or R32_UINT";
             return Err(Error::Format { resource: "Texels".into(), given, allowed: allowed.into() });
         }
     };
@@ -151,6 +158,7 @@ mod tests {
             (vk::Format::R32_SFLOAT, SCALAR),
             (vk::Format::R16G16B16A16_UINT, PACKED),
             (vk::Format::R32_UINT, UINT),
+            (vk::Format::R32G32B32A32_UINT, WIDE),
         ] {
             let zeros = Texels::zeroed(ImageFormat::Exactly(format), [2, 3]).expect("known");
             assert_eq!((zeros.kind(), zeros.extent()), (kind, [2, 3]));

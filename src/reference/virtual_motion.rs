@@ -254,7 +254,7 @@ mod tests {
             let motion = VirtualMotion::new(&round.frame, &round.guide);
             let carried = [[1.0, 0.0, 0.0, way.x], [0.0, 1.0, 0.0, way.y], [0.0, 0.0, 1.0, way.z]];
             let (hit_id, transforms) = (Image::new(EXTENT, 1), [carried; 2]);
-            let instances = Instances { hit_id: Some(&hit_id), surface_id: None, transforms: Some(&transforms) };
+            let instances = Instances { hit_id: Some(&hit_id), transforms: Some(&transforms), ..Default::default() };
             for p in PIXELS {
                 let mirror = motion.mirror(p, [0.0; 2]);
                 let thing = mirror.position + 4.0 * mirror.sight.reflect(mirror.surface.unit_normal());

@@ -42,10 +42,13 @@ fn add_declarations(all: &mut Vec<Declaration>, declare: fn(&Config) -> Declarat
                 }
             }
             all.push(declare(&Config { firefly_filter: true, ..config }));
-            all.push(declare(&Config { visibility: true, ..config }));
-            all.push(declare(&Config { visibility: true, light_extent: Some([32, 36]), ..config }));
+            all.push(declare(&Config { visibility: 1, ..config }));
+            all.push(declare(&Config { visibility: 1, light_extent: Some([32, 36]), ..config }));
             all.push(declare(&Config { reactive_mask: true, ..config }));
-            all.push(declare(&Config { visibility: true, volume: true, float_output: true, ..config }));
+            all.push(declare(&Config { visibility: 1, coloured_visibility: true, ..config }));
+            all.push(declare(&Config { visibility: 3, ambient_occlusion: true, ..config }));
+            all.push(declare(&Config { visibility: 4, coloured_visibility: true, ..config }));
+            all.push(declare(&Config { visibility: 1, volume: true, float_output: true, ..config }));
             for preset in [Preset::Svgf, Preset::Asvgf, Preset::Percentile, Preset::Fast, Preset::Best, Preset::Eaw] {
                 all.extend(Sampling::ALL.map(|sampling| declare(&Config { preset, sampling, ..config })));
             }
@@ -121,7 +124,7 @@ fn what_stands_in_for_a_binding_is_always_there_and_of_its_kind() {
 /// Holds names of bindings to those of the resources at them, but for signals by number, ports of filters and images in place.
 #[test]
 fn names_of_bindings_match_those_of_resources() {
-    const RENAMED: [(&str, &[&str]); 26] = [
+    const RENAMED: [(&str, &[&str]); 31] = [
         ("frame", &["frame_constants"]),
         ("input", &["irradiance", "filled_irradiance", "accumulated", "atrous_", "denoised_volume"]),
         ("output", &["atrous_", "irradiance_history", "denoised_volume"]),
@@ -148,6 +151,11 @@ fn names_of_bindings_match_those_of_resources() {
         ("history_confidence", &["unscaled_confidence"]),
         ("filter_in", &["visibility_history", "visibility_even", "visibility_odd"]),
         ("filter_out", &["visibility_even", "visibility_odd"]),
+        ("noisy_visibility", &["noisy_ambient"]),
+        ("occluder_distance", &["ambient_distance"]),
+        ("denoised_visibility", &["denoised_ambient"]),
+        ("filter_in_colours", &["visibility_history_colours", "visibility_even_colours", "visibility_odd_colours"]),
+        ("filter_out_colours", &["visibility_even_colours", "visibility_odd_colours"]),
     ];
     let unshared = |config: &Config| config.graph().expect("valid").share_outputs(false).finish().expect("valid");
     for declaration in declarations_with(unshared) {

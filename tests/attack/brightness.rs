@@ -77,7 +77,7 @@ pub fn the_filter_holds_light_of_any_unit() {
 /// The light of a volume, and the light whose visibility is filtered, go out in 32 bits as well.
 pub fn whatever_goes_out_holds_light_of_any_unit() {
     let outputs = |gain: f32| {
-        let config = Config { volume: true, visibility: true, float_output: true, ..Config::new(EXTENT) };
+        let config = Config { volume: true, visibility: 1, float_output: true, ..Config::new(EXTENT) };
         let (mut session, _) = run(&config, gain);
         ["denoised_radiance", "denoised_volume"].map(|name| {
             let texels = session.download(name).expect(name);

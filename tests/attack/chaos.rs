@@ -34,7 +34,7 @@ pub fn config(dice: &mut Dice) -> Config {
         signals: dice.one_of(&Signals::ALL),
         levels: dice.coin().then(|| 1 + dice.below(10)),
         volume: dice.coin(),
-        visibility: dice.coin(),
+        visibility: dice.below(5),
         firefly_filter: dice.coin(),
         adaptive_rule: dice.one_of(&AdaptiveRule::ALL),
         stratum_size: 2 + dice.below(3),
@@ -51,6 +51,8 @@ pub fn config(dice: &mut Dice) -> Config {
         output_extent: None,
         light_extent: None,
         reactive_mask: dice.coin(),
+        coloured_visibility: dice.coin(),
+        ambient_occlusion: dice.coin(),
         conventions,
     }
 }

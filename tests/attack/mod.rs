@@ -45,7 +45,7 @@ fn configs(extent: [u32; 2]) -> Vec<Config> {
     let sourced = [Preset::Asvgf, Preset::Stabilize]
         .into_iter()
         .flat_map(|preset| sources.map(|gradient_source| Config { preset, gradient_source, ..Config::new(extent) }));
-    let beside = |preset, sampling| Config { preset, sampling, visibility: true, volume: true, ..Config::new(extent) };
+    let beside = |preset, sampling| Config { preset, sampling, visibility: 1, volume: true, ..Config::new(extent) };
     all.chain(sourced).chain([beside(Preset::Svgf, Sampling::OneOf2x2), beside(Preset::Best, Sampling::Full)]).collect()
 }
 

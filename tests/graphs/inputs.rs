@@ -6,7 +6,7 @@ use atrous::reference::{Engine, InstanceTransform};
 use atrous::{Declaration, Error, Lifetime, ResourceDecl, Shape};
 
 /// Inputs of ids, beside that of surfaces.
-const HIT_IDS: [&str; 2] = ["specular_hit_id", "occluder_id"];
+const HIT_IDS: [&str; 5] = ["specular_hit_id", "occluder_id", "occluder_id_1", "occluder_id_2", "occluder_id_3"];
 
 /// The inputs of one frame by name; those that are `None` are left out.
 pub struct Inputs {
@@ -105,7 +105,9 @@ fn texels(name: &str, [width, height]: [u32; 2], guides: &Guides, before: &Guide
         "emission" => make(|i, _| if i % 50 == 0 { [2.0, 1.0, 0.5, 0.0] } else { [0.0; 4] }),
         "confidence" => make(|i, frame| [if i % 31 == 0 { f32::NAN } else { 1.4 * random(i, frame, 6) - 0.2 }; 4]),
         "forward_motion" => make(|i, frame| [0.02 * random(i, frame, 7), -0.01, 5.0, 0.0]),
-        "occluder_motion" => make(|i, frame| [if i % 37 == 0 { f32::NAN } else { 0.1 * random(i, frame, 10) }, 0.03, 0.0, 0.0]),
+        "specular_motion" | "occluder_motion" | "occluder_motion_1" | "occluder_motion_2" | "occluder_motion_3" => {
+            make(|i, frame| [if i % 37 == 0 { f32::NAN } else { 0.1 * random(i, frame, 10) }, 0.03, 0.0, 0.0])
+        }
         "sparse_gradient" => make(|i, frame| [random(i, frame, 8) - 0.5, random(i, frame, 9), 0.0, 0.0]),
         "reshaded_radiance" => before.noisy_radiance.iter().map(|t| t.map(|c| 0.8 * c)).collect(),
         other => panic!("the tests have no image for the input `{other}`"),

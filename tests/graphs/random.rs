@@ -4,6 +4,7 @@ use super::dice::Dice;
 use atrous::config::{Conventions, EawWeights, Sampling};
 use atrous::graph::{
     Accumulated, Confidence, Estimate, Feedback, Gradient, GradientSamples, Graph, Guides, History, Irradiance, Radiance, Value,
+    Visibility,
 };
 use atrous::nodes::*;
 use atrous::presets::{specular, Specular};
@@ -32,11 +33,14 @@ pub fn declare_with(seed: u32, extent: [u32; 2], conventions: Conventions) -> De
         ambient_occlusion(&mut g, &mut dice, &guides);
     }
     if seed % 3 == 1 {
-        let samples = g.visibility_samples(&guides);
+        let lights = Lights { count: 1 + seed / 3 % 4, coloured: dice.coin(), ambient: false };
+        let samples = g.visibility_samples(&guides, lights);
         let accumulated = g.visibility_accumulation(&guides, &samples);
         let visibility = g.visibility_filter(&guides, &accumulated, 1 + seed / 3 % 4);
         surfaces.radiance = g.shadowed_light(&surfaces.radiance, &visibility);
-        g.output("denoised_visibility", &visibility);
+        for (light, image) in visibility.images().iter().enumerate() {
+            g.output(&format!("denoised_visibility_of_{light}"), &Visibility::of(*image));
+        }
     }
     let fog = dice.coin().then(|| volume(&mut g, &mut dice, &guides));
     if dice.coin() {

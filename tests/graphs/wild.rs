@@ -75,8 +75,12 @@ fn components(name: &str, is_octahedral: bool) -> u32 {
         | "roughness"
         | "scattering_depth"
         | "specular_hit_distance"
-        | "noisy_visibility"
+        | "noisy_ambient"
+        | "ambient_distance"
         | "occluder_distance"
+        | "occluder_distance_1"
+        | "occluder_distance_2"
+        | "occluder_distance_3"
         | "confidence" => 1,
         "motion" | "sparse_gradient" => 2,
         _ => 3,

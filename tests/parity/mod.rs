@@ -69,15 +69,25 @@ pub const TESTS: &[DeviceTest] = &[
         sequence(&Config { volume: true, firefly_filter: true, signals: Signals::Apart, levels: Some(3), ..svgf([61, 35]) })
     }),
     ("volume_beside_eaw", || sequence(&Config { volume: true, preset: Preset::Eaw, ..Config::new([40, 23]) })),
-    ("visibility", || sequence(&Config { visibility: true, ..svgf([61, 35]) })),
-    ("visibility_of_one_pixel", || sequence(&Config { visibility: true, levels: Some(1), ..svgf([1, 1]) })),
-    ("visibility_in_a_larger_image", || sequence_of(&Config { visibility: true, ..svgf([64, 40]) }, [37, 21])),
+    ("visibility", || sequence(&Config { visibility: 1, ..svgf([61, 35]) })),
+    ("visibility_in_colour", || sequence(&Config { visibility: 1, coloured_visibility: true, ..svgf([61, 35]) })),
+    ("visibility_of_three_lights", || sequence(&Config { visibility: 3, ..svgf([61, 35]) })),
+    ("visibility_of_four_lights_in_colour", || {
+        let tuning = Tuning { light_radius_1: 0.01, light_radius_2: 0.02, light_radius_3: 0.002, ..svgf_tuning() };
+        tuned_sequence(&Config { visibility: 4, coloured_visibility: true, ..svgf([61, 35]) }, [61, 35], tuning);
+    }),
+    ("ambient_occlusion", || {
+        let tuning = Tuning { ambient_radius: 0.01, ..svgf_tuning() };
+        tuned_sequence(&Config { ambient_occlusion: true, visibility: 1, ..svgf([61, 35]) }, [61, 35], tuning);
+    }),
+    ("visibility_of_one_pixel", || sequence(&Config { visibility: 1, levels: Some(1), ..svgf([1, 1]) })),
+    ("visibility_in_a_larger_image", || sequence_of(&Config { visibility: 1, ..svgf([64, 40]) }, [37, 21])),
     ("visibility_beside_best_and_volume", || {
-        sequence(&Config { visibility: true, volume: true, preset: Preset::Best, ..Config::new([40, 23]) })
+        sequence(&Config { visibility: 1, volume: true, preset: Preset::Best, ..Config::new([40, 23]) })
     }),
     ("visibility_of_a_large_light", || {
         let tuning = Tuning { light_radius: 0.05, penumbra_blur: 1.0, visibility_alpha: 0.0, ..svgf_tuning() };
-        tuned_sequence(&Config { visibility: true, preset: Preset::Eaw, ..Config::new([61, 35]) }, [61, 35], tuning);
+        tuned_sequence(&Config { visibility: 1, preset: Preset::Eaw, ..Config::new([61, 35]) }, [61, 35], tuning);
     }),
     ("moving_shadows", visibility::moving_shadows),
     ("volume_at_other_resolutions", volume::other_resolutions),
@@ -122,7 +132,7 @@ pub const TESTS: &[DeviceTest] = &[
         light::sequence(&Config { signals: Signals::Specular, float_output: true, ..light::half([40, 24]) });
     }),
     ("light_of_a_rect_in_a_larger_image", || light::sequence_of(&light::half([64, 40]), [38, 22])),
-    ("light_with_visibility", || light::sequence(&Config { visibility: true, debug_view: true, ..light::half([40, 24]) })),
+    ("light_with_visibility", || light::sequence(&Config { visibility: 1, debug_view: true, ..light::half([40, 24]) })),
     ("light_of_every_preset", light::every_preset),
     ("holes", holes),
     ("best_with_holes", best::with_holes),

@@ -56,8 +56,16 @@ pub fn moving_reflections() {
         let ids: Vec<u32> = (0..guides.depth.len() as u32).map(|k| (k / 5) % 4).collect();
         s.upload_ids("specular_hit_id", &ids).expect("specular_hit_id");
         s.upload_buffer("instance_transforms", bytemuck::cast_slice(table)).expect("instance_transforms");
+        // By ids, then by the host as well.
+        if i == 3 {
+            assert!(s.statistics().expect("counters")[Counter::HitId] > 0);
+        }
+        if i > 2 {
+            let motion: Vec<_> = (0..ids.len()).map(|k| [if k % 11 == 0 { f32::NAN } else { 0.05 }, 0.02, -0.1, 0.0]).collect();
+            s.upload("specular_motion", &motion).expect("specular_motion");
+        }
         run(&mut s, &scene.params(i), &Tuning::for_preset(config.preset));
     }
-    assert!(s.statistics().expect("counters")[Counter::HitId] > 0);
+    assert!(s.statistics().expect("counters")[Counter::SpecularMotion] > 0);
     assert_valid();
 }

@@ -76,6 +76,9 @@
 // guide, id, optional: the surface_id at that hit: with instance_transforms, moving things in mirrors, and moving mirrors, are followed
 #define ATROUS_INPUT_SPECULAR_HIT_ID "specular_hit_id"
 
+// guide, vector, optional: before that id: previous − current place of the hit, world space
+#define ATROUS_INPUT_SPECULAR_MOTION "specular_motion"
+
 // change, vector: with Config::forward_motion, for gradients: motion of deforming surfaces from the previous frame to this one
 #define ATROUS_INPUT_FORWARD_MOTION "forward_motion"
 
@@ -97,20 +100,71 @@
 // guide, number, optional: with Config::volume: linear depth of a point that contributes much, for example chosen by transmittance; gives the volume its own motion
 #define ATROUS_INPUT_SCATTERING_DEPTH "scattering_depth"
 
-// signal, number: with Config::visibility: 0 (occluded) to 1 (lit), by one shadow ray. Leave this light out of the noisy radiance
+// signal, number: with Config::ambient_occlusion: 1 where a ray, drawn by the cosine, hit nothing, else 0
+#define ATROUS_INPUT_NOISY_AMBIENT "noisy_ambient"
+
+// guide, number: distance of that hit, scene units; 0 or infinite: none
+#define ATROUS_INPUT_AMBIENT_DISTANCE "ambient_distance"
+
+// signal, colour: with Config::visibility: 0 (occluded) to 1 (lit), by one shadow ray; red alone, unless Config::coloured_visibility. Leave this light out of the noisy radiance
 #define ATROUS_INPUT_NOISY_VISIBILITY "noisy_visibility"
 
-// guide, number: with Config::visibility: distance of the occluder along the shadow ray, scene units; 0 or infinite: none or not known
+// signal, colour: with Config::visibility: 0 (occluded) to 1 (lit), by one shadow ray; red alone, unless Config::coloured_visibility. Leave this light out of the noisy radiance
+#define ATROUS_INPUT_NOISY_VISIBILITY_1 "noisy_visibility_1"
+
+// signal, colour: with Config::visibility: 0 (occluded) to 1 (lit), by one shadow ray; red alone, unless Config::coloured_visibility. Leave this light out of the noisy radiance
+#define ATROUS_INPUT_NOISY_VISIBILITY_2 "noisy_visibility_2"
+
+// signal, colour: with Config::visibility: 0 (occluded) to 1 (lit), by one shadow ray; red alone, unless Config::coloured_visibility. Leave this light out of the noisy radiance
+#define ATROUS_INPUT_NOISY_VISIBILITY_3 "noisy_visibility_3"
+
+// guide, number: distance of the occluder along the shadow ray, scene units; 0 or infinite: none
 #define ATROUS_INPUT_OCCLUDER_DISTANCE "occluder_distance"
+
+// guide, number: distance of the occluder along the shadow ray, scene units; 0 or infinite: none
+#define ATROUS_INPUT_OCCLUDER_DISTANCE_1 "occluder_distance_1"
+
+// guide, number: distance of the occluder along the shadow ray, scene units; 0 or infinite: none
+#define ATROUS_INPUT_OCCLUDER_DISTANCE_2 "occluder_distance_2"
+
+// guide, number: distance of the occluder along the shadow ray, scene units; 0 or infinite: none
+#define ATROUS_INPUT_OCCLUDER_DISTANCE_3 "occluder_distance_3"
 
 // guide, id, optional: the surface_id of the occluder: with instance_transforms and FrameParams::lights, moving shadows are followed
 #define ATROUS_INPUT_OCCLUDER_ID "occluder_id"
 
+// guide, id, optional: the surface_id of the occluder: with instance_transforms and FrameParams::lights, moving shadows are followed
+#define ATROUS_INPUT_OCCLUDER_ID_1 "occluder_id_1"
+
+// guide, id, optional: the surface_id of the occluder: with instance_transforms and FrameParams::lights, moving shadows are followed
+#define ATROUS_INPUT_OCCLUDER_ID_2 "occluder_id_2"
+
+// guide, id, optional: the surface_id of the occluder: with instance_transforms and FrameParams::lights, moving shadows are followed
+#define ATROUS_INPUT_OCCLUDER_ID_3 "occluder_id_3"
+
 // guide, vector, optional: instead of ids: previous − current place of the occluding point, world space
 #define ATROUS_INPUT_OCCLUDER_MOTION "occluder_motion"
 
-// composition, colour, optional: with Config::visibility: the reflected light without occluders, albedo included; denoised_radiance then has the product
+// guide, vector, optional: instead of ids: previous − current place of the occluding point, world space
+#define ATROUS_INPUT_OCCLUDER_MOTION_1 "occluder_motion_1"
+
+// guide, vector, optional: instead of ids: previous − current place of the occluding point, world space
+#define ATROUS_INPUT_OCCLUDER_MOTION_2 "occluder_motion_2"
+
+// guide, vector, optional: instead of ids: previous − current place of the occluding point, world space
+#define ATROUS_INPUT_OCCLUDER_MOTION_3 "occluder_motion_3"
+
+// composition, colour, optional: the reflected light without occluders, albedo included; denoised_radiance then has the product
 #define ATROUS_INPUT_UNSHADOWED_DIRECT "unshadowed_direct"
+
+// composition, colour, optional: the reflected light without occluders, albedo included; denoised_radiance then has the product
+#define ATROUS_INPUT_UNSHADOWED_DIRECT_1 "unshadowed_direct_1"
+
+// composition, colour, optional: the reflected light without occluders, albedo included; denoised_radiance then has the product
+#define ATROUS_INPUT_UNSHADOWED_DIRECT_2 "unshadowed_direct_2"
+
+// composition, colour, optional: the reflected light without occluders, albedo included; denoised_radiance then has the product
+#define ATROUS_INPUT_UNSHADOWED_DIRECT_3 "unshadowed_direct_3"
 
 // Choices, by the names of the fields that take them.
 
@@ -277,9 +331,10 @@ typedef enum AtrousCounter {
   ATROUS_COUNTER_HIT_ID = 18,
   ATROUS_COUNTER_OCCLUDER_ID = 19,
   ATROUS_COUNTER_OCCLUDER_MOTION = 20,
+  ATROUS_COUNTER_SPECULAR_MOTION = 21,
 } AtrousCounter;
 
-#define ATROUS_COUNTER_COUNT 21
+#define ATROUS_COUNTER_COUNT 22
 
 // Nodes for atrous_graph_node with their arguments, of which those in brackets have defaults: Graph and nodes in the
 // documentation of the crate say what each means. A choice is given by its name.
@@ -411,7 +466,7 @@ typedef enum AtrousCounter {
 // volume_atrous(guides, estimate, [levels, feedback, keeps_exposure])
 #define ATROUS_NODE_VOLUME_ATROUS "volume_atrous"
 
-// visibility_samples(guides)
+// visibility_samples(guides, [count, coloured, ambient])
 #define ATROUS_NODE_VISIBILITY_SAMPLES "visibility_samples"
 
 // visibility_accumulation(guides, samples)
@@ -559,11 +614,11 @@ typedef struct AtrousConfig {
   // The radiance of surfaces is the light that reaches the camera through the medium. Their sum is the picture, which
   // the post-process shows. Costs 40 bytes per pixel, and 8 of the output. 0 (false), 1 (true). Default: 0.
   uint32_t volume;
-  // Whether you give the visibility of one light, such as the sun, apart. The input `noisy_visibility` goes from 0
+  // Number of lights, such as the sun, whose visibility you give apart: 0 to 4. The input `noisy_visibility` goes from 0
   // (occluded) to 1 (lit), usually one of the two. The input `occluder_distance` is the distance from the surface to the
   // occluder along the shadow ray (scene units; 0 or infinite: none, or not known). The output is `denoised_visibility`.
-  // Set the size of the light with `Tuning::light_radius`. Costs 12 bytes per pixel, the output included. 0 (false), 1
-  // (true). Default: 0.
+  // Set the size of the light with `Tuning::light_radius`. The names of further lights end in `_1` to `_3`. Costs 12
+  // bytes per pixel for one light, the outputs included, and 66 for four. Default: 0.
   uint32_t visibility;
   // Whether outliers of the input are scaled down to the usual brightness around them, before they reach the history
   // [PSVGF]. `Preset::Percentile` always does so. 0 (false), 1 (true). Default: 0.
@@ -605,6 +660,15 @@ typedef struct AtrousConfig {
   // `PostProcess::None`. Costs 16 bytes per pixel of the output, and 8 of the result. None: the picture has the size
   // that you rendered. 0, 0 is none. Default: 0, 0.
   uint32_t output_extent[2];
+  // Whether the visibility of lights has a colour, for stained glass and leaves: red, green and blue of
+  // `noisy_visibility` and `denoised_visibility`. Costs about twice the memory of grey ones. 0 (false), 1 (true).
+  // Default: 0.
+  uint32_t coloured_visibility;
+  // Whether you give ambient occlusion apart. The input `noisy_ambient` is 0 where a ray into the hemisphere, drawn by
+  // the cosine, hit something, and 1 where it did not. The input `ambient_distance` is the distance of that hit (scene
+  // units; 0 or infinite: none). The output is `denoised_ambient`: multiply your ambient light by it. Costs 12 bytes per
+  // pixel, the output included. 0 (false), 1 (true). Default: 0.
+  uint32_t ambient_occlusion;
   // Factor of the motion's x and y, above 0. For example 50, if you store pixels times 0.02. Default: 1.0.
   float motion_scale;
   // Channel of `roughness` that holds it, for example alpha behind a reflectance. 0 (r), 1 (g), 2 (b), 3 (a). Default: 0.
@@ -693,8 +757,8 @@ typedef struct AtrousFrameParams {
   // Number of frames whose GPU work is complete, of those that you began: for example the value of a timeline semaphore that each
   // frame raises by 1. With atrous_set_checks, a slot whose last frame is not among them is refused. UINT64_MAX: you do not say.
   uint64_t complete_frames;
-  // The first four numbers are the place of the light whose visibility you give: x, y, z, 1 of a lamp, or x, y, z, 0 towards a sun,
-  // in world space. The others are not read yet. 0: not known.
+  // Four numbers for each light whose visibility you give, its place in world space: x, y, z, 1 of a lamp, or x, y, z, 0 towards a
+  // sun. 0: not known.
   float lights[16];
   // With AtrousConfig.light_extent, the rendered pixel of each cell that light was traced for: 0, or 1 along a halved axis.
   uint32_t light_offset[2];

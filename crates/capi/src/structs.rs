@@ -125,8 +125,8 @@ pub struct AtrousFrameParams {
     /// Number of frames whose GPU work is complete, of those that you began: for example the value of a timeline semaphore that each
     /// frame raises by 1. With atrous_set_checks, a slot whose last frame is not among them is refused. UINT64_MAX: you do not say.
     pub complete_frames: u64,
-    /// The first four numbers are the place of the light whose visibility you give: x, y, z, 1 of a lamp, or x, y, z, 0 towards a sun,
-    /// in world space. The others are not read yet. 0: not known.
+    /// Four numbers for each light whose visibility you give, its place in world space: x, y, z, 1 of a lamp, or x, y, z, 0 towards a
+    /// sun. 0: not known.
     pub lights: [f32; 16],
     /// With AtrousConfig.light_extent, the rendered pixel of each cell that light was traced for: 0, or 1 along a halved axis.
     pub light_offset: [u32; 2],

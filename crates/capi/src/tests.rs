@@ -101,7 +101,7 @@ fn every_choice_of_a_filter_is_reachable() {
     let expected = Config {
         preset: Preset::Eaw,
         volume: true,
-        visibility: true,
+        visibility: 1,
         firefly_filter: true,
         adaptive_rule: AdaptiveRule::Percentiles,
         eaw_weights: EawWeights { radiance: true, normal: false, position: true },

@@ -4,7 +4,9 @@ use crate::error::{Result, ToolError};
 use crate::frame::FrameInputs;
 use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions};
 use atrous::reference::Engine;
-use atrous::{Config, DebugView, Declaration, Error, FrameParams, HistoryLoss, HistoryWatch, Lifetime, Shape, Statistics, Tuning};
+use atrous::{
+    Config, DebugView, Declaration, Error, FrameParams, HistoryLoss, HistoryWatch, Input, Lifetime, Shape, Statistics, Tuning,
+};
 use atrous_lab::pictures::Picture;
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -137,8 +139,10 @@ impl Passes {
             let ids = match name.as_str() {
                 "surface_id" => frame.surface_id.as_ref(),
                 "specular_hit_id" => frame.hit_id.as_ref(),
-                "occluder_id" => frame.occluder_id.as_ref(),
-                _ => None,
+                name => {
+                    let light = Input::OCCLUDER_ID.iter().position(|input| input.name == name);
+                    light.and_then(|light| frame.occluder_ids[light].as_ref())
+                }
             };
             let ids = ids.map(|ids| traced(self.runner.declaration(), &name, ids, frame.params.light_offset));
             let texels = frame.images.get(name.as_str()).filter(|_| is_image);

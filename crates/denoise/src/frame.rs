@@ -15,7 +15,7 @@ use crate::setup::{is_about_previous, Setup};
 use crate::smooth::smooth;
 use atrous::config::Preset;
 use atrous::reference::InstanceTransform;
-use atrous::{FrameParams, ResetReason, Tuning};
+use atrous::{FrameParams, Input, ResetReason, Tuning};
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::ErrorKind;
 use std::path::Path;
@@ -46,7 +46,7 @@ pub struct FrameInputs {
     /// Surface ids of what is seen in the surfaces.
     pub hit_id: Option<Vec<u32>>,
     /// Surface ids of what casts the shadows.
-    pub occluder_id: Option<Vec<u32>>,
+    pub occluder_ids: [Option<Vec<u32>>; 4],
     /// The noisy radiance with everything in it, for scores and pictures.
     pub noisy: Vec<[f32; 3]>,
     /// Alpha of the beauty, which is passed through.
@@ -89,7 +89,7 @@ pub fn load(files: &FrameFiles, setup: &Setup) -> Result<FrameInputs> {
     }
     let negative = if setup.is_verbatim() { 0 } else { even_out(&mut images, setup) };
     let (surface_id, hit_id) = (channels.surface_ids(&images), channels.hit_ids(&images));
-    let occluder_id = channels.occluder_ids(&images);
+    let occluder_ids = std::array::from_fn(|light| channels.occluder_ids(&images, light));
     let noisy = channels.total(&images);
     let alpha = channels.scalars(Role::Alpha);
     let reference = channels.vectors(Role::Reference).map(rgb);
@@ -116,7 +116,7 @@ pub fn load(files: &FrameFiles, setup: &Setup) -> Result<FrameInputs> {
         images,
         surface_id,
         hit_id,
-        occluder_id,
+        occluder_ids,
         noisy,
         alpha,
         reference,
@@ -150,11 +150,20 @@ fn fill(channels: &mut Channels<'_>, camera: Option<&Camera>, images: &mut BTree
         images.extend(channels.volume().map(|v| ("noisy_volume", v)));
         images.extend(channels.vectors(Role::ScatteringDepth).map(|d| ("scattering_depth", d)));
     }
-    if config.visibility {
-        images.extend(channels.vectors(Role::Visibility).map(|v| ("noisy_visibility", v)));
-        images.extend(channels.vectors(Role::OccluderDistance).map(|d| ("occluder_distance", d)));
-        images.extend(channels.vectors(Role::OccluderMotion).map(|m| ("occluder_motion", m)));
-        images.extend(channels.vectors(Role::UnshadowedDirect).map(|l| ("unshadowed_direct", l)));
+    if config.ambient_occlusion {
+        images.extend(channels.vectors(Role::Ambient).map(|v| (Input::NOISY_AMBIENT.name, v)));
+        images.extend(channels.vectors(Role::AmbientDistance).map(|d| (Input::AMBIENT_DISTANCE.name, d)));
+    }
+    for light in 0..config.visibility as usize {
+        let given = [
+            (Role::Visibility(light), Input::NOISY_VISIBILITY[light]),
+            (Role::OccluderDistance(light), Input::OCCLUDER_DISTANCE[light]),
+            (Role::OccluderMotion(light), Input::OCCLUDER_MOTION[light]),
+            (Role::UnshadowedDirect(light), Input::UNSHADOWED_DIRECT[light]),
+        ];
+        for (role, input) in given {
+            images.extend(channels.vectors(role).map(|texels| (input.name, texels)));
+        }
     }
 }
 

@@ -6,6 +6,7 @@ use crate::layouts::Layout;
 use crate::roles::Role;
 use crate::setup::Setup;
 use atrous::config::{DepthEncoding, MotionDepth, NormalSpace, Signals, ViewForward};
+use atrous::Input;
 use std::collections::BTreeMap;
 
 /// Texels of an image.
@@ -35,8 +36,12 @@ impl Channels<'_> {
             let Some(Samples::Float(values)) = self.samples.get(name) else { return None };
             for ((texel, value), bad) in texels.iter_mut().zip(values).zip(&mut bad) {
                 // An infinite depth is the sky, or nothing in the way; what is no visibility, the filter counts itself.
-                let is_distance = matches!(role, Role::Depth | Role::OccluderDistance) && !value.is_nan();
-                let usable = self.setup.is_verbatim() || value.is_finite() || is_distance || role == Role::Visibility;
+                let is_distance =
+                    matches!(role, Role::Depth | Role::OccluderDistance(_) | Role::AmbientDistance) && !value.is_nan();
+                let usable = self.setup.is_verbatim()
+                    || value.is_finite()
+                    || is_distance
+                    || matches!(role, Role::Visibility(_) | Role::Ambient);
                 *bad |= !usable;
                 texel[component] = if usable { *value } else { 0.0 };
             }
@@ -153,6 +158,7 @@ impl Channels<'_> {
         if is_specular {
             images.extend(self.vectors(Role::SpecularAlbedo).map(|a| ("specular_albedo", a)));
             images.extend(self.vectors(Role::HitDistance).map(|d| ("specular_hit_distance", d)));
+            images.extend(self.vectors(Role::HitMotion).map(|m| (Input::SPECULAR_MOTION.name, m)));
         }
         let normal = self.vectors(Role::Normal).unwrap_or_else(|| vec![[0.0, 0.0, 1.0, 0.0]; pixels]);
         images.insert("normal", normal);
@@ -246,9 +252,9 @@ impl Channels<'_> {
         self.ids(Role::HitId, images.get("specular_hit_distance")?, |distance| distance > 0.0)
     }
 
-    /// Ids of what casts the shadows, with 0 where nothing does.
-    pub fn occluder_ids(&mut self, images: &BTreeMap<&'static str, Texels>) -> Option<Vec<u32>> {
-        self.ids(Role::OccluderId, images.get("occluder_distance")?, |distance| distance > 0.0)
+    /// Ids of what casts the shadows of a light, with 0 where nothing does.
+    pub fn occluder_ids(&mut self, images: &BTreeMap<&'static str, Texels>, light: usize) -> Option<Vec<u32>> {
+        self.ids(Role::OccluderId(light), images.get(Input::OCCLUDER_DISTANCE[light].name)?, |distance| distance > 0.0)
     }
 
     /// Only this project's data sets keep 0 free for what has no id, which is told by its distance elsewhere.
@@ -282,8 +288,11 @@ impl Channels<'_> {
                 .iter()
                 .filter_map(|n| images.get(n));
         let mut sum = parts.fold(vec![[0.0; 4]; self.setup.pixels()], |sum, part| combine(&sum, part, |a, b| a + b));
-        if let (Some(seen), Some(light)) = (images.get("noisy_visibility"), images.get("unshadowed_direct")) {
-            let seen: Vec<_> = seen.iter().map(|v| [v[0].clamp(0.0, 1.0).max(0.0); 4]).collect();
+        for (seen, light) in Input::NOISY_VISIBILITY.iter().zip(Input::UNSHADOWED_DIRECT) {
+            let (Some(seen), Some(light)) = (images.get(seen.name), images.get(light.name)) else { continue };
+            let coloured = self.setup.config.coloured_visibility;
+            let seen: Vec<_> =
+                seen.iter().map(|v| (if coloured { *v } else { [v[0]; 4] }).map(|v| v.clamp(0.0, 1.0).max(0.0))).collect();
             sum = combine(&sum, &combine(&seen, light, |v, l| v * l), |a, b| a + b);
         }
         rgb(sum)

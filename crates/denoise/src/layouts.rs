@@ -51,6 +51,8 @@ const RGB: &[&[&str]] = &[&["R", "G", "B"]];
 const XYZ: &[&[&str]] = &[&["X", "Y", "Z"], &["R", "G", "B"]];
 const XY: &[&[&str]] = &[&["X", "Y"], &["U", "V"], &["R", "G"]];
 const DEPTH: &[&[&str]] = &[&["Z"], &["V"], &["T"], &["D"], &["Y"], &["R"], &["X"]];
+/// In colour, or grey.
+const VISIBLE: &[&[&str]] = &[&["R", "G", "B"], &["Z"], &["V"], &["Y"], &["R"]];
 const ID: &[&[&str]] = &[&["I"], &["X"], &["Y"], &["V"], &["R"]];
 
 const fn entry(
@@ -91,6 +93,7 @@ pub const ENTRIES: &[Entry] = &[
     of(Role::SpecularAlbedo, Input::SPECULAR_ALBEDO, RGB),
     of(Role::HitDistance, Input::SPECULAR_HIT_DISTANCE, DEPTH),
     of(Role::HitId, Input::SPECULAR_HIT_ID, ID),
+    of(Role::HitMotion, Input::SPECULAR_MOTION, XYZ),
     entry(Role::DemodulatedSpecularDirect, &[Blender], &["glossdir", "glossy direct"], RGB),
     entry(Role::DemodulatedSpecularIndirect, &[Blender], &["glossind", "glossy indirect"], RGB),
     entry(Role::SpecularAlbedo, &[Blender], &["glosscol", "glossy color"], RGB),
@@ -128,11 +131,28 @@ pub const ENTRIES: &[Entry] = &[
     entry(Role::Volume, &[Blender], &["volumedir", "volume direct"], RGB),
     entry(Role::VolumeIndirect, &[Blender], &["volumeind", "volume indirect"], RGB),
     of(Role::ScatteringDepth, Input::SCATTERING_DEPTH, DEPTH),
-    of(Role::Visibility, Input::NOISY_VISIBILITY, DEPTH),
-    of(Role::OccluderDistance, Input::OCCLUDER_DISTANCE, DEPTH),
-    of(Role::OccluderId, Input::OCCLUDER_ID, ID),
-    of(Role::OccluderMotion, Input::OCCLUDER_MOTION, XYZ),
-    of(Role::UnshadowedDirect, Input::UNSHADOWED_DIRECT, RGB),
+    of(Role::Ambient, Input::NOISY_AMBIENT, DEPTH),
+    of(Role::AmbientDistance, Input::AMBIENT_DISTANCE, DEPTH),
+    of(Role::Visibility(0), Input::NOISY_VISIBILITY[0], VISIBLE),
+    of(Role::OccluderDistance(0), Input::OCCLUDER_DISTANCE[0], DEPTH),
+    of(Role::OccluderId(0), Input::OCCLUDER_ID[0], ID),
+    of(Role::OccluderMotion(0), Input::OCCLUDER_MOTION[0], XYZ),
+    of(Role::UnshadowedDirect(0), Input::UNSHADOWED_DIRECT[0], RGB),
+    of(Role::Visibility(1), Input::NOISY_VISIBILITY[1], VISIBLE),
+    of(Role::OccluderDistance(1), Input::OCCLUDER_DISTANCE[1], DEPTH),
+    of(Role::OccluderId(1), Input::OCCLUDER_ID[1], ID),
+    of(Role::OccluderMotion(1), Input::OCCLUDER_MOTION[1], XYZ),
+    of(Role::UnshadowedDirect(1), Input::UNSHADOWED_DIRECT[1], RGB),
+    of(Role::Visibility(2), Input::NOISY_VISIBILITY[2], VISIBLE),
+    of(Role::OccluderDistance(2), Input::OCCLUDER_DISTANCE[2], DEPTH),
+    of(Role::OccluderId(2), Input::OCCLUDER_ID[2], ID),
+    of(Role::OccluderMotion(2), Input::OCCLUDER_MOTION[2], XYZ),
+    of(Role::UnshadowedDirect(2), Input::UNSHADOWED_DIRECT[2], RGB),
+    of(Role::Visibility(3), Input::NOISY_VISIBILITY[3], VISIBLE),
+    of(Role::OccluderDistance(3), Input::OCCLUDER_DISTANCE[3], DEPTH),
+    of(Role::OccluderId(3), Input::OCCLUDER_ID[3], ID),
+    of(Role::OccluderMotion(3), Input::OCCLUDER_MOTION[3], XYZ),
+    of(Role::UnshadowedDirect(3), Input::UNSHADOWED_DIRECT[3], RGB),
     of(Role::OtherDenoised, Input::OTHER_DENOISED_RADIANCE, RGB),
 ];
 

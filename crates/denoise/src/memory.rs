@@ -162,6 +162,9 @@ fn images(setup: &Setup) -> u64 {
         Role::Roughness,
         Role::SpecularAlbedo,
         Role::HitDistance,
+        Role::HitMotion,
+        Role::Ambient,
+        Role::AmbientDistance,
         Role::ObjectNormal,
         Role::ForwardMotion,
         Role::Confidence,
@@ -169,11 +172,10 @@ fn images(setup: &Setup) -> u64 {
         Role::SparseGradient,
         Role::Volume,
         Role::ScatteringDepth,
-        Role::Visibility,
-        Role::OccluderDistance,
-        Role::OccluderMotion,
-        Role::UnshadowedDirect,
     ];
+    let of_light = |light| {
+        [Role::Visibility(light), Role::OccluderDistance(light), Role::OccluderMotion(light), Role::UnshadowedDirect(light)]
+    };
     let motion = u64::from(setup.mapping.has(Role::Motion) || setup.sequence.is_none());
     // Normals and depth are made up where there are none.
     light
@@ -181,12 +183,13 @@ fn images(setup: &Setup) -> u64 {
         + motion
         + any(&[Role::Emission, Role::Environment])
         + any(&[Role::ReshadeDirect, Role::ReshadeIndirect, Role::Reshaded])
-        + alone.iter().map(|role| any(&[*role])).sum::<u64>()
+        + alone.into_iter().chain((0..4).flat_map(of_light)).map(|role| any(&[role])).sum::<u64>()
 }
 
 /// Images of ids: see [`crate::frame::FrameInputs`].
 fn ids(setup: &Setup) -> u64 {
-    [Role::Id, Role::HitId, Role::OccluderId].map(|role| u64::from(setup.mapping.has(role))).iter().sum()
+    let roles = [Role::Id, Role::HitId].into_iter().chain((0..4).map(Role::OccluderId));
+    roles.map(|role| u64::from(setup.mapping.has(role))).sum()
 }
 
 /// Inputs, history and images between passes.

@@ -27,6 +27,8 @@ pub enum Role {
     HitDistance,
     /// [`Role::Id`] of what is seen in it.
     HitId,
+    /// Where that thing was, minus where it is.
+    HitMotion,
     /// Emitters and environment seen directly, without noise.
     Emission,
     /// A further emission that is added to the first (Blender's `Env`).
@@ -79,16 +81,20 @@ pub enum Role {
     VolumeIndirect,
     /// Depth at which it did.
     ScatteringDepth,
-    /// Visibility of one light, apart from the paths.
-    Visibility,
-    /// How far along the shadow ray something is in the way.
-    OccluderDistance,
+    /// Whether rays into the hemisphere hit nothing.
+    Ambient,
+    /// How far away is what they hit.
+    AmbientDistance,
+    /// Visibility of a light, 0 to 3, apart from the paths.
+    Visibility(usize),
+    /// How far along the shadow ray to that light something is in the way.
+    OccluderDistance(usize),
     /// [`Role::Id`] of that thing.
-    OccluderId,
+    OccluderId(usize),
     /// Where it was, minus where it is.
-    OccluderMotion,
+    OccluderMotion(usize),
     /// What that light would give the surface if nothing were.
-    UnshadowedDirect,
+    UnshadowedDirect(usize),
 }
 
 /// Number and type of the components of a role.
@@ -131,6 +137,7 @@ const ROLES: &[(Role, &str, Kind, &str)] = &[
     (Role::SpecularAlbedo, "specular_albedo", Kind::Colour, ""),
     (Role::HitDistance, "hit_distance", Kind::Scalar, ""),
     (Role::HitId, "hit_id", Kind::Id, ""),
+    (Role::HitMotion, "specular_motion", Kind::Vector, ""),
     (Role::Emission, "emission", Kind::Colour, "lights and sky are filtered with everything else instead of passing through"),
     (Role::Environment, "environment", Kind::Colour, ""),
     (Role::DemodulatedDirect, "demodulated_direct", Kind::Colour, ""),
@@ -162,11 +169,28 @@ const ROLES: &[(Role, &str, Kind, &str)] = &[
     (Role::Volume, "volume", Kind::Colour, ""),
     (Role::VolumeIndirect, "volume_indirect", Kind::Colour, ""),
     (Role::ScatteringDepth, "scattering_depth", Kind::Scalar, ""),
-    (Role::Visibility, "visibility", Kind::Scalar, ""),
-    (Role::OccluderDistance, "occluder_distance", Kind::Scalar, ""),
-    (Role::OccluderId, "occluder_id", Kind::Id, ""),
-    (Role::OccluderMotion, "occluder_motion", Kind::Vector, ""),
-    (Role::UnshadowedDirect, "unshadowed_direct", Kind::Colour, ""),
+    (Role::Ambient, "ambient", Kind::Scalar, ""),
+    (Role::AmbientDistance, "ambient_distance", Kind::Scalar, ""),
+    (Role::Visibility(0), "visibility", Kind::Colour, ""),
+    (Role::OccluderDistance(0), "occluder_distance", Kind::Scalar, ""),
+    (Role::OccluderId(0), "occluder_id", Kind::Id, ""),
+    (Role::OccluderMotion(0), "occluder_motion", Kind::Vector, ""),
+    (Role::UnshadowedDirect(0), "unshadowed_direct", Kind::Colour, ""),
+    (Role::Visibility(1), "visibility_1", Kind::Colour, ""),
+    (Role::OccluderDistance(1), "occluder_distance_1", Kind::Scalar, ""),
+    (Role::OccluderId(1), "occluder_id_1", Kind::Id, ""),
+    (Role::OccluderMotion(1), "occluder_motion_1", Kind::Vector, ""),
+    (Role::UnshadowedDirect(1), "unshadowed_direct_1", Kind::Colour, ""),
+    (Role::Visibility(2), "visibility_2", Kind::Colour, ""),
+    (Role::OccluderDistance(2), "occluder_distance_2", Kind::Scalar, ""),
+    (Role::OccluderId(2), "occluder_id_2", Kind::Id, ""),
+    (Role::OccluderMotion(2), "occluder_motion_2", Kind::Vector, ""),
+    (Role::UnshadowedDirect(2), "unshadowed_direct_2", Kind::Colour, ""),
+    (Role::Visibility(3), "visibility_3", Kind::Colour, ""),
+    (Role::OccluderDistance(3), "occluder_distance_3", Kind::Scalar, ""),
+    (Role::OccluderId(3), "occluder_id_3", Kind::Id, ""),
+    (Role::OccluderMotion(3), "occluder_motion_3", Kind::Vector, ""),
+    (Role::UnshadowedDirect(3), "unshadowed_direct_3", Kind::Colour, ""),
 ];
 
 impl Role {

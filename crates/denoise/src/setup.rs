@@ -123,7 +123,12 @@ impl Setup {
         let signals_wished = options.config.has("signals").then_some(config.signals);
         config.forward_motion = mapping.has(Role::ForwardMotion);
         config.volume = mapping.has(Role::Volume) && config.preset != Preset::Volume;
-        config.visibility = mapping.has(Role::Visibility) && mapping.has(Role::OccluderDistance);
+        let is_apart = |light: &usize| mapping.has(Role::Visibility(*light)) && mapping.has(Role::OccluderDistance(*light));
+        config.visibility = (0..4).take_while(is_apart).count() as u32;
+        config.ambient_occlusion = mapping.has(Role::Ambient) && mapping.has(Role::AmbientDistance);
+        // A capture says so itself.
+        config.coloured_visibility |=
+            captured.is_none() && mapping.roles.get(&Role::Visibility(0)).is_some_and(|names| names.len() > 1);
         config.signals = signals(mapping, config.preset, signals_wished)?;
         config.conventions = conventions::of_layout(mapping);
         let mut scales = Scales::default();

@@ -39,18 +39,20 @@ impl Glsl {
         Ok(Self { file: file.to_owned(), source, kind, include_folders: include_folders.to_vec() })
     }
 
-    /// `// variants: A=1 A=2,B=1`: the sets of macros that a shader is compiled with; one empty set without that line.
+    /// `// variants: A=1 A=2,B=1`: the sets of macros that a shader is compiled with, of every such line; one empty set without one.
     pub fn variants(&self) -> Vec<Variant> {
         let file = self.file.file_name().unwrap_or_default().to_string_lossy();
         let stem = file.trim_end_matches(".comp").replace('.', "_");
-        let Some(line) = self.source.lines().find_map(|l| l.strip_prefix("// variants:")) else {
-            return vec![Variant { name: stem, macros: String::new() }];
-        };
+        let lines = self.source.lines().filter_map(|line| line.strip_prefix("// variants:"));
         let variant = |macros: &str| Variant {
             name: format!("{stem}_{}", macros.replace(['=', ','], "_").to_lowercase()),
             macros: macros.to_owned(),
         };
-        line.split_whitespace().map(variant).collect()
+        let variants: Vec<_> = lines.flat_map(str::split_whitespace).map(variant).collect();
+        if variants.is_empty() {
+            return vec![Variant { name: stem, macros: String::new() }];
+        }
+        variants
     }
 
     /// One module. The error is the compiler's text, which does not name the variant: file (an include's, where the mistake is

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 /// Largest number of bindings that a shader may have; their numbers are below [`NUMBERS`].
-pub const MAX_BINDINGS: usize = 24;
+pub const MAX_BINDINGS: usize = 28;
 /// Bits of `WIRED` and `present`.
 pub const NUMBERS: u32 = 32;
 /// Bytes of push constants that every device has.

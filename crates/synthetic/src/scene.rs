@@ -51,11 +51,36 @@ pub struct Guides {
     pub unshadowed_direct: Vec<[f32; 4]>,
     /// The visibility of a converged renderer.
     pub clean_visibility: Vec<[f32; 4]>,
+    /// The same of three further lamps.
+    pub further_lights: [Lamp; 3],
+}
+
+/// A lamp whose shadows are apart.
+#[derive(Clone)]
+pub struct Lamp {
+    /// One shadow ray; in what is in the way light keeps some of its colour.
+    pub noisy_visibility: Vec<[f32; 4]>,
+    /// Distance of what is in its way; infinite for nothing.
+    pub occluder_distance: Vec<[f32; 4]>,
+    /// Light where nothing is in the way.
+    pub unshadowed_direct: Vec<[f32; 4]>,
+    /// The visibility of a converged renderer.
+    pub clean_visibility: Vec<[f32; 4]>,
+}
+
+/// What the occluders of each lamp let through, of green and blue; of red nothing.
+const THROUGH: [[f32; 2]; 4] = [[0.5, 0.125], [0.0, 0.0], [0.25, 1.0], [0.0, 0.75]];
+
+/// Visibility in colour, of a visible share.
+fn tinted(v: f32, lamp: usize) -> [f32; 4] {
+    let [green, blue] = THROUGH[lamp].map(|through| v + (1.0 - v) * through);
+    [v, green, blue, 0.0]
 }
 
 impl Guides {
     /// Every image of floats by the name of its input; the normals serve twice.
-    pub fn images(&self) -> [(&'static str, &[[f32; 4]]); 18] {
+    pub fn images(&self) -> [(&'static str, &[[f32; 4]]); 29] {
+        let [second, third, fourth] = &self.further_lights;
         [
             ("depth", &self.depth),
             ("normal", &self.normal),
@@ -75,6 +100,17 @@ impl Guides {
             ("noisy_visibility", &self.noisy_visibility),
             ("occluder_distance", &self.occluder_distance),
             ("unshadowed_direct", &self.unshadowed_direct),
+            ("noisy_ambient", &third.noisy_visibility),
+            ("ambient_distance", &third.occluder_distance),
+            ("noisy_visibility_1", &second.noisy_visibility),
+            ("noisy_visibility_2", &third.noisy_visibility),
+            ("noisy_visibility_3", &fourth.noisy_visibility),
+            ("occluder_distance_1", &second.occluder_distance),
+            ("occluder_distance_2", &third.occluder_distance),
+            ("occluder_distance_3", &fourth.occluder_distance),
+            ("unshadowed_direct_1", &second.unshadowed_direct),
+            ("unshadowed_direct_2", &third.unshadowed_direct),
+            ("unshadowed_direct_3", &fourth.unshadowed_direct),
         ]
     }
 
@@ -123,13 +159,15 @@ struct Shadow {
 }
 
 impl Shadow {
-    fn at(camera: f32, direction: [f32; 2], depth: f32) -> Self {
+    fn at(camera: f32, direction: [f32; 2], depth: f32, lamp: usize) -> Self {
         const LIGHT_RADIUS: f32 = 0.00465;
         if depth == 0.0 {
             return Self { visibility: 1.0, distance: f32::INFINITY };
         }
         // Four scene units from one board to the next; the penumbra on both sides grows along it.
         let [x, y] = [camera + direction[0] * depth, direction[1] * depth];
+        // Each lamp has boards of its own.
+        let (x, y) = if lamp.is_multiple_of(2) { (x + lamp as f32, y) } else { (y + lamp as f32, x) };
         let distance = 20.0 + 12.0 * (y + 3.0);
         let from_edge = (x.rem_euclid(4.0) - 2.0).abs() - 1.0;
         Self { visibility: (0.5 + 0.5 * from_edge / (LIGHT_RADIUS * distance)).clamp(0.0, 1.0), distance }
@@ -244,6 +282,12 @@ impl Scene {
             noisy_visibility: nan.clone(),
             occluder_distance: nan.clone(),
             unshadowed_direct: nan.clone(),
+            further_lights: std::array::from_fn(|_| Lamp {
+                noisy_visibility: nan.clone(),
+                occluder_distance: nan.clone(),
+                unshadowed_direct: nan.clone(),
+                clean_visibility: nan.clone(),
+            }),
             clean_visibility: nan,
         };
         for (x, y) in pixels(self.extent) {
@@ -277,14 +321,22 @@ impl Scene {
             let noisy = if u[0] < 0.25 { 4.0 * light } else { 0.0 };
             g.noisy_volume[i] = [noisy, 0.5 * noisy, 0.25 * noisy, 0.0];
             g.clean_volume[i] = [light, 0.5 * light, 0.25 * light, 0.0];
-            let shadow = Shadow::at(self.camera(index), direction, hit.depth);
+            let shadow = Shadow::at(self.camera(index), direction, hit.depth, 0);
             let [ray, spoilt] = [random(x, y, seed * 4 + 701), random(x, y, seed * 4 + 702)];
             let [v, distance] = shadow.sample(ray);
             let bad = [f32::NAN, 1.5, -0.5, f32::NEG_INFINITY].get((spoilt * 400.0) as usize);
-            g.noisy_visibility[i] = [*bad.unwrap_or(&v); 4];
+            g.noisy_visibility[i] = bad.map_or(tinted(v, 0), |bad| [*bad; 4]);
             g.occluder_distance[i] = [if spoilt > 0.99 { -1.0 } else { distance }; 4];
             g.unshadowed_direct[i] = rgba(2.0);
-            g.clean_visibility[i] = [shadow.visibility; 4];
+            g.clean_visibility[i] = tinted(shadow.visibility, 0);
+            for (lamp, seen) in (1..).zip(&mut g.further_lights) {
+                let shadow = Shadow::at(self.camera(index), direction, hit.depth, lamp);
+                let [v, distance] = shadow.sample(random(x, y, seed * 4 + 702 + lamp as u32));
+                seen.noisy_visibility[i] = tinted(v, lamp);
+                seen.occluder_distance[i] = [distance; 4];
+                seen.unshadowed_direct[i] = rgba(0.5 * lamp as f32);
+                seen.clean_visibility[i] = tinted(shadow.visibility, lamp);
+            }
             g.scattering_depth[i] = [[0.0, f32::NAN, f32::INFINITY, FOG][((u[1] * 40.0) as usize).min(3)]; 4];
         }
         g

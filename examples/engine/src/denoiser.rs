@@ -78,7 +78,7 @@ impl DenoiserOptions {
             allocated_extent: [extent.width, extent.height],
             frames_in_flight: 1,
             volume: tracer.volume().is_some(),
-            visibility: tracer.sun().is_some(),
+            visibility: u32::from(tracer.sun().is_some()),
             conventions: Conventions {
                 motion_unit: MotionUnit::Pixels,
                 motion_depth: MotionDepth::Absolute,

@@ -97,7 +97,7 @@ fn configured(choices: &mut Choices<'_>) -> Result<Declaration, Error> {
         signals: choice(choices),
         levels: choices.one_in(2).then(|| number(choices, 3)),
         volume: choices.one_in(2),
-        visibility: choices.one_in(2),
+        visibility: number(choices, 5),
         firefly_filter: choices.one_in(2),
         adaptive_rule: choice(choices),
         eaw_weights: EawWeights::from_bits(number(choices, 7)).unwrap_or_default(),
@@ -113,6 +113,8 @@ fn configured(choices: &mut Choices<'_>) -> Result<Declaration, Error> {
         output_extent: choices.one_in(2).then(|| extent(choices)),
         light_extent: choices.one_in(4).then(|| allocated_extent.map(|side| side / 2)),
         reactive_mask: choices.one_in(2),
+        coloured_visibility: choices.one_in(2),
+        ambient_occlusion: choices.one_in(2),
         conventions: conventions(choices),
     };
     let declaration = config.declare()?;

@@ -67,6 +67,7 @@ impl Graph {
             .bind_some("history_confidence", intermediates.confidence.map(|confidence| confidence.image()))
             .bind_some("reflection", intermediates.reflection.map(|reflection| reflection.image))
             .bind_some("specular_hit_id", self.given(Input::SPECULAR_HIT_ID))
+            .bind_some("specular_motion", self.given(Input::SPECULAR_MOTION))
             .bind_some("surface_id", self.given(Input::SURFACE_ID))
             .bind_some("instance_transforms", self.given(Input::INSTANCE_TRANSFORMS))
             .bind_some("visibility_history", intermediates.visibility.map(|visibility| visibility.image()));

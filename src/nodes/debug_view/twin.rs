@@ -19,7 +19,7 @@ use crate::reference::reflection::{lobe_width, nearness, unpack_image_share, unp
 use crate::reference::scenery::Instances;
 use crate::reference::surface_motion::unpack_surface_motion;
 use crate::reference::virtual_motion::VirtualMotion;
-use crate::reference::visibility::{unpack_visibility, VisibilityHistory};
+use crate::reference::visibility::VisibilityHistory;
 use crate::reference::{Image, LuminanceHistory};
 use crate::{Counter, DebugView, FrameConstants, Statistics, Tuning};
 use glam::{IVec2, Vec2};
@@ -62,7 +62,7 @@ pub(crate) struct DebugViewInputs<'a> {
     /// What is seen in the surfaces, where specular light is filtered.
     pub reflection: Option<&'a Image<u32>>,
     /// Visibility of a light over its history.
-    pub visibility_history: Option<&'a Image<u32>>,
+    pub visibility_history: Option<&'a Image<VisibilityHistory>>,
     /// Albedo of the host.
     pub albedo: Option<&'a Image<[f32; 4]>>,
     /// By which instances mirrors and the things in them move.
@@ -126,7 +126,7 @@ impl DebugViewInputs<'_> {
                 Some(share) => (past_colour(share), share),
                 None => (from_srgb(REASON_COLOURS[5].map(f32::from)), -1.0),
             },
-            DebugView::Visibility => coloured(self.visibility(p).mean, self.visibility(p).mean),
+            DebugView::Visibility => coloured(self.visibility(p).mean[0], self.visibility(p).mean[0]),
             DebugView::Penumbra if self.visibility(p).occluder_distance == 0.0 => ([0.0; 3], 0.0),
             DebugView::Penumbra => {
                 let radius = tuning.light_radius * self.visibility(p).occluder_distance;
@@ -194,7 +194,7 @@ impl DebugViewInputs<'_> {
     }
 
     fn visibility(&self, p: IVec2) -> VisibilityHistory {
-        self.visibility_history.map_or(VisibilityHistory::default(), |history| unpack_visibility(history.at(p)))
+        self.visibility_history.map_or(VisibilityHistory::default(), |history| history.at(p))
     }
 
     fn luminance_history_at(&self, signal: usize, p: IVec2) -> LuminanceHistory {

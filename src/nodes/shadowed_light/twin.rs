@@ -1,33 +1,37 @@
-//! The stage `shadowed_light`: the light of the source whose visibility was filtered is added.
+//! The stage `shadowed_light`: the light of the sources whose visibility was filtered is added.
 
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::Rule;
 use crate::reference::outgoing::Outgoing;
 use crate::reference::rules::{pixels, HALF, STATISTICS};
-use crate::reference::statistics::count;
+use crate::reference::visibility::{each, of_light, Visible};
 use crate::reference::Image;
-use crate::{Counter, Statistics};
-use crate::{Error, FrameConstants};
+use crate::{Counter, Error, FrameConstants, Input, Statistics};
 
-/// `radiance + unshadowed_direct · visibility`, with the counter of light that is not finite.
+/// A light without what is in the way, and its visibility.
+type Lit<'a> = (&'a Image<[f32; 4]>, Image<Visible>);
+
+/// `radiance + Σ unshadowed_direct · visibility`, with the counter of light that is not finite.
 pub(crate) fn shadowed_light(
     frame: &FrameConstants,
     radiance: &Image<[f32; 4]>,
-    unshadowed_direct: &Image<[f32; 4]>,
-    visibility: &Image<f32>,
+    lights: &[Lit],
     outgoing: Outgoing,
 ) -> (Image<[f32; 4]>, Statistics) {
     let texels = Image::compute(radiance.extent(), frame.render_extent, |p| {
-        let (before, [r, g, b, _]) = (radiance.at(p), unshadowed_direct.at(p));
-        if [r, g, b].iter().any(|c| !c.is_finite()) {
-            return (before, true);
+        let is_light = |(light, _): &&Lit| light.at(p)[..3].iter().all(|c| c.is_finite());
+        let good: Vec<_> = lights.iter().filter(is_light).collect();
+        let bad = lights.len() - good.len();
+        if good.is_empty() {
+            return (radiance.at(p), bad);
         }
-        let light = [r, g, b].map(|c| c.clamp(0.0, outgoing.brightest()) * visibility.at(p));
-        let [r, g, b] = [0, 1, 2].map(|i| outgoing.store(before[i] + light[i]));
-        ([r, g, b, 1.0], false)
+        let light = |(light, seen): &&Lit, c: usize| light.at(p)[c].clamp(0.0, outgoing.brightest()) * seen.at(p)[c];
+        let sum = each(|c| good.iter().fold(radiance.at(p)[c], |sum, lit| sum + light(lit, c)));
+        let [r, g, b] = sum.map(|c| outgoing.store(c));
+        ([r, g, b, 1.0], bad)
     });
     let mut statistics = Statistics::default();
-    statistics[Counter::Radiance] = count(texels.texels().iter().map(|t| t.1));
+    statistics[Counter::Radiance] = texels.texels().iter().map(|t| t.1 as u32).sum();
     (texels.map(|t| t.0), statistics)
 }
 
@@ -36,10 +40,19 @@ pub(crate) const RULES: &[Rule] = &[STATISTICS, pixels("radiance", HALF)];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
-    let radiance = b.colour("radiance")?;
-    let Some(light) = b.optional_colour("unshadowed_direct")? else { return b.write("radiance", radiance.clone()) };
-    let (sum, statistics) =
-        shadowed_light(&b.frame.of_guides(), radiance, light, b.scalar("denoised_visibility")?, Outgoing::of(b)?);
+    let mut lights = Vec::new();
+    for (light, unshadowed) in Input::UNSHADOWED_DIRECT.iter().enumerate() {
+        let name = of_light("denoised_visibility", light);
+        let Some(unshadowed) = b.optional_colour(unshadowed.name)?.filter(|_| b.has(&name)) else { continue };
+        lights.push((
+            unshadowed,
+            match b.is_on("COLOURED")? {
+                true => b.colour(&name)?.map(|[red, green, blue, _]| [*red, *green, *blue]),
+                false => b.scalar(&name)?.map(|v| [*v; 3]),
+            },
+        ));
+    }
+    let (sum, statistics) = shadowed_light(&b.frame.of_guides(), b.colour("radiance")?, &lights, Outgoing::of(b)?);
     b.count(&statistics)?;
     b.write("radiance", sum)
 }
@@ -55,8 +68,9 @@ mod tests {
             [[2.0, 4.0, 8.0, 0.0], [f32::NAN, 1.0, 1.0, 0.0], [1.0, f32::INFINITY, 1.0, 0.0], [-1.0, 1e9, 1.0, 0.0]][x as usize]
         });
         let radiance = Image::new([4, 1], [1.0, 1.0, 1.0, 1.0]);
-        let (sum, statistics) = shadowed_light(&frame([4, 1]), &radiance, &light, &Image::new([4, 1], 0.5), Outgoing::Halves);
-        assert_eq!(sum.texels(), [[2.0, 3.0, 5.0, 1.0], [1.0; 4], [1.0; 4], [1.0, 32752.0, 1.5, 1.0]]);
+        let (sum, statistics) =
+            shadowed_light(&frame([4, 1]), &radiance, &[(&light, Image::new([4, 1], [0.5, 0.5, 0.25]))], Outgoing::Halves);
+        assert_eq!(sum.texels(), [[2.0, 3.0, 3.0, 1.0], [1.0; 4], [1.0; 4], [1.0, 32752.0, 1.25, 1.0]]);
         assert_eq!(statistics[Counter::Radiance], 2);
     }
 }

@@ -56,7 +56,7 @@ impl Graph {
     /// Accumulates specular light, demodulated by [`Self::demodulate`] with
     /// [`crate::nodes::Albedo::Specular`]; one signal. The optional input `roughness` gives the
     /// width of lobes; without it all surfaces are rough. The optional inputs `specular_hit_id` and
-    /// `instance_transforms`, with the `surface_id` of [`Self::import`], follow what moves.
+    /// `instance_transforms`, with the `surface_id` of [`Self::import`], or `specular_motion`, follow what moves.
     pub fn specular_accumulation(
         &mut self,
         guides: &Guides,
@@ -84,6 +84,7 @@ impl Graph {
             .bind("roughness", self.input(Input::ROUGHNESS))
             .bind_some("history_confidence", parameters.confidence.map(|confidence| confidence.image()))
             .bind("specular_hit_id", self.input(Input::SPECULAR_HIT_ID))
+            .bind("specular_motion", self.input(Input::SPECULAR_MOTION))
             .bind_some("surface_id", self.given(Input::SURFACE_ID))
             .bind("instance_transforms", self.input(Input::INSTANCE_TRANSFORMS))
             .previous("history", history.colour()[0])

@@ -106,7 +106,8 @@ pub(crate) fn specular_accumulation(
     let scene = Scene::new(frame, tuning, inputs);
     let texels = Image::compute(inputs.guide.extent(), frame.render_extent, |p| scene.accumulated(p));
     let mut statistics = Statistics::default();
-    statistics[Counter::HitId] = count(texels.texels().iter().map(|t| t.4));
+    statistics[Counter::HitId] = count(texels.texels().iter().map(|t| t.4[0]));
+    statistics[Counter::SpecularMotion] = count(texels.texels().iter().map(|t| t.4[1]));
     SpecularAccumulationOutputs {
         statistics,
         accumulated: texels.map(|t| t.0),
@@ -133,13 +134,13 @@ impl<'a> Scene<'a> {
 }
 
 impl Scene<'_> {
-    fn accumulated(&self, p: IVec2) -> ([f32; 4], LuminanceHistory, SeenReflection, Option<f32>, bool) {
+    fn accumulated(&self, p: IVec2) -> ([f32; 4], LuminanceHistory, SeenReflection, Option<f32>, [bool; 2]) {
         let [r, g, b, own_distance] = self.inputs.noisy.at(p);
         let stored = self.inputs.roughness.map(|image| image.at(self.frame.guide_pixel(p))[roughness_channel(self.frame)]);
         let roughness = roughness_of(self.frame, stored.unwrap_or(1.0));
         let surface = self.motion.surfaces.at(p);
         let noisy = [r, g, b, own_distance];
-        let with = |(texel, luminance_history), seen, share| (texel, luminance_history, seen, share, false);
+        let with = |(texel, luminance_history), seen, share| (texel, luminance_history, seen, share, [false; 2]);
         if surface.is_background() {
             return with(fresh(noisy, Reason::None), SeenReflection { hit_distance: 0.0, roughness }, None);
         }
@@ -150,7 +151,11 @@ impl Scene<'_> {
         }
         let best = self.best_past(&c, &mut seen);
         let (texel, luminance_history) = best.as_ref().map_or(fresh(noisy, Reason::Depth), |best| self.blend(p, noisy, best));
-        let is_bad = self.inputs.instances.lacks_transform(self.frame, &c.mirror, seen.hit_distance);
+        let instances = &self.inputs.instances;
+        let is_bad = [
+            instances.lacks_transform(self.frame, &c.mirror, seen.hit_distance),
+            instances.has_bad_motion(&c.mirror, seen.hit_distance),
+        ];
         (texel, luminance_history, seen, best.map(|best| best.image_share), is_bad)
     }
 
@@ -227,6 +232,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         history_confidence: b.optional_scalar("history_confidence")?,
         instances: Instances {
             hit_id: b.optional_uint("specular_hit_id")?,
+            motion: b.optional_colour("specular_motion")?,
             surface_id: b.optional_uint("surface_id")?,
             transforms: transforms.as_deref(),
         },

@@ -2,7 +2,6 @@
 //! what casts the shadow.
 
 use crate::nodes::temporal_accumulation::twin::Reprojected;
-use crate::reference::binary16::from_half_bits;
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
 use crate::reference::conventions::is_reset;
@@ -13,7 +12,10 @@ use crate::reference::rules::{rule, STATISTICS};
 use crate::reference::shadow_motion::{Occluders, Receiver};
 use crate::reference::statistics::count;
 use crate::reference::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
-use crate::reference::visibility::{pack_visibility, unpack_visibility, Ruler, VisibilityHistory, LONGEST_HISTORY};
+use crate::reference::visibility::{
+    each, halves_of, histories_of, largest, lights_of, of_light, pack_visibility, write_words, Ruler, VisibilityHistory, Visible,
+    LONGEST_HISTORY,
+};
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Counter, Error, FrameConstants, Statistics, Tuning};
 use glam::IVec2;
@@ -29,6 +31,8 @@ const CLEARLY: f32 = 1.001;
 const NEAR: f32 = 1.5;
 /// Standard deviations of the interval that the history is clamped to, by the radius of the penumbra in pixels.
 const CONFIDENCE_Z: [f32; 2] = [1.0, 2.0];
+/// The same of the visibility of all directions.
+const CONFIDENCE_Z_OF_AMBIENT: f32 = 3.0;
 /// Frames up to which the deviation is at least that of the surroundings.
 const SHORT_HISTORY: f32 = 8.0;
 /// Variance of a look by the cubic, as a share of that by 2×2 pixels.
@@ -49,18 +53,20 @@ pub(crate) struct VisibilityAccumulationInputs<'a> {
     pub surface_motion: &'a Image<[u16; 4]>,
     /// The image `depth_gradient`, from the stage `import`.
     pub depth_gradient: &'a Image<u32>,
-    /// Samples, from the stage `visibility_samples`.
-    pub samples: &'a Image<u32>,
+    /// Samples of a light, from the stage `visibility_samples`: visibility, negative for none, and distance of the occluder.
+    pub samples: &'a Image<(Visible, f32)>,
     /// By what occluders move.
     pub occluders: Occluders<'a>,
+    /// Whether the visibility is that of all directions, and of no light.
+    pub ambient: bool,
     /// Guide and output of this stage of the previous frame; not read in a reset frame, and `None` is treated as one.
-    pub previous: Option<(&'a Image<[u16; 4]>, &'a Image<u32>)>,
+    pub previous: Option<(&'a Image<[u16; 4]>, &'a Image<VisibilityHistory>)>,
 }
 
 /// A sample of the host; [`None`] has no visibility.
 #[derive(Clone, Copy, Default)]
 struct Sample {
-    visibility: Option<f32>,
+    visibility: Option<Visible>,
     distance: f32,
 }
 
@@ -69,7 +75,7 @@ struct Tap {
     q: IVec2,
     squared: f32,
     weight: f32,
-    visibility: f32,
+    visibility: Visible,
     distance: f32,
 }
 
@@ -80,6 +86,7 @@ struct Surroundings<'a> {
     rect: RenderRect,
     ruler: Ruler,
     light_radius: f32,
+    ambient: bool,
     p: IVec2,
 }
 
@@ -87,23 +94,20 @@ struct Surroundings<'a> {
 /// sample that weighs most, of which the occluder is known.
 struct Search {
     distance: f32,
-    occluded: f32,
-    lit: f32,
+    occluded: Visible,
+    lit: Visible,
     nearest: Option<IVec2>,
 }
 
-/// Mean, deviation and history length of visibility, see [`crate::reference::unpack_visibility`]; with the counters of occluders that have no
-/// motion that can be used.
+/// Mean, deviation and history length of the visibility of a light; with the counters of occluders that have no motion that can be used.
 pub(crate) fn visibility_accumulation(
     frame: &FrameConstants,
     tuning: &Tuning,
     inputs: &VisibilityAccumulationInputs,
-) -> (Image<u32>, Statistics) {
+) -> (Image<VisibilityHistory>, Statistics) {
     let geometry = Geometry::new(frame, tuning, inputs.guide, inputs.depth_gradient);
-    let samples = inputs.samples.map(|texel| {
-        let (v, distance) = (from_half_bits(*texel as u16), from_half_bits((texel >> 16) as u16));
-        Sample { visibility: (v >= 0.0).then_some(v), distance }
-    });
+    let light_radius = tuning.light_radii()[inputs.occluders.light];
+    let samples = inputs.samples.map(|(v, distance)| Sample { visibility: (v[0] >= 0.0).then_some(*v), distance: *distance });
     let previous = inputs.previous.filter(|_| !is_reset(frame));
     let before =
         previous.map(|(guide, _)| Image::compute(guide.extent(), frame.previous_render_extent, |p| unpack_guide(guide.at(p))));
@@ -111,12 +115,12 @@ pub(crate) fn visibility_accumulation(
     let texels = Image::compute(inputs.guide.extent(), frame.render_extent, |p| {
         let surface = unpack_guide(inputs.guide.at(p));
         if surface.is_background() {
-            return (pack_visibility(&VisibilityHistory { mean: 1.0, history_length: 1.0, ..Default::default() }), false, false);
+            return (VisibilityHistory { mean: [1.0; 3], history_length: 1.0, ..Default::default() }, false, false);
         }
         let gradient = unpack_depth_gradient(inputs.depth_gradient.at(p));
         let ruler = Ruler::new(frame, surface.linear_depth, gradient);
         let rect = RenderRect::new(frame.render_extent);
-        let around = Surroundings { geometry: &geometry, samples: &samples, rect, ruler, light_radius: tuning.light_radius, p };
+        let around = Surroundings { geometry: &geometry, samples: &samples, rect, ruler, light_radius, ambient: inputs.ambient, p };
         let search = around.search();
         let past = previous.zip(before.as_ref()).and_then(|((_, history), surfaces)| {
             let motion = unpack_surface_motion(inputs.surface_motion.at(p));
@@ -125,17 +129,20 @@ pub(crate) fn visibility_accumulation(
                 let (taps, cubic) = at.taps(surfaces)?;
                 let (past, blur) = (weighted_history(&taps, history), ruler.blur(at.s - at.s.floor()));
                 let Some(cubic) = cubic else { return Some((past, blur)) };
-                let mean: f32 = cubic.iter().map(|(q, weight)| weight * unpack_visibility(history.at(*q)).mean).sum();
-                Some((VisibilityHistory { mean: mean.clamp(0.0, 1.0), ..past }, CUBIC_BLUR * blur))
+                let mean = each(|c| cubic.iter().map(|(q, weight)| weight * history.at(*q).mean[c]).sum::<f32>().clamp(0.0, 1.0));
+                Some((VisibilityHistory { mean, ..past }, CUBIC_BLUR * blur))
             };
             let receiver = Receiver::new(frame, &projections, &surface, p, &motion, reprojected.s);
-            let shadow = search.nearest.and_then(|nearest| occluders.shadow_before(frame, &projections, &receiver, nearest));
+            let shadow = search
+                .nearest
+                .filter(|_| !inputs.ambient)
+                .and_then(|nearest| occluders.shadow_before(frame, &projections, &receiver, nearest));
             shadow.and_then(|at| past_at(reprojected.at(at.position, at.linear_depth))).or_else(|| past_at(reprojected))
         });
         let Sample { visibility, distance } = samples.at(p);
-        let is_followed = previous.is_some() && visibility.is_some_and(|v| v < 1.0) && distance > 0.0;
+        let is_followed = previous.is_some() && visibility.is_some_and(|v| v.iter().any(|v| *v < 1.0)) && distance > 0.0;
         let bad = [occluders.lacks_transform(p), occluders.has_bad_motion(p)].map(|bad| bad && is_followed);
-        (pack_visibility(&around.accumulate(tuning, &search, past)), bad[0], bad[1])
+        (around.accumulate(tuning, &search, past), bad[0], bad[1])
     });
     let mut statistics = Statistics::default();
     statistics[Counter::OccluderId] = count(texels.texels().iter().map(|t| t.1));
@@ -144,15 +151,16 @@ pub(crate) fn visibility_accumulation(
 }
 
 /// The mean over taps with weights that sum to 1; of the distance the largest.
-fn weighted_history(taps: &[(IVec2, f32); 9], history: &Image<u32>) -> VisibilityHistory {
-    let valid = || taps.iter().filter(|tap| tap.1 > 0.0).map(|(q, weight)| (unpack_visibility(history.at(*q)), *weight));
-    let sum = |value: fn(&VisibilityHistory) -> f32| valid().map(|(h, weight)| weight * value(&h)).sum::<f32>();
-    let mean = sum(|h| h.mean);
-    let variance: f32 = valid().map(|(h, weight)| weight * (h.deviation * h.deviation + (h.mean - mean) * (h.mean - mean))).sum();
+fn weighted_history(taps: &[(IVec2, f32); 9], history: &Image<VisibilityHistory>) -> VisibilityHistory {
+    let valid = || taps.iter().filter(|tap| tap.1 > 0.0).map(|(q, weight)| (history.at(*q), *weight));
+    let mean = each(|c| valid().map(|(h, weight)| weight * h.mean[c]).sum());
+    let variance = |c: usize| -> f32 {
+        valid().map(|(h, weight)| weight * (h.deviation * h.deviation + (h.mean[c] - mean[c]) * (h.mean[c] - mean[c]))).sum()
+    };
     VisibilityHistory {
         mean,
-        deviation: variance.sqrt(),
-        history_length: sum(|h| h.history_length),
+        deviation: largest(each(variance)).sqrt(),
+        history_length: valid().map(|(h, weight)| weight * h.history_length).sum(),
         occluder_distance: valid().map(|(h, _)| h.occluder_distance).fold(0.0, f32::max),
     }
 }
@@ -175,19 +183,21 @@ impl Surroundings<'_> {
     fn search(&self) -> Search {
         let near = NEAR * self.ruler.longer();
         let own = self.samples.at(self.p);
-        let own_distance = if own.visibility.unwrap_or(0.0) < 1.0 { own.distance } else { 0.0 };
-        let mut found = Search { distance: 0.0, occluded: 0.0, lit: 0.0, nearest: None };
+        let own_distance = if largest(own.visibility.unwrap_or_default().map(|v| 1.0 - v)) > 0.0 { own.distance } else { 0.0 };
+        let mut found = Search { distance: 0.0, occluded: [0.0; 3], lit: [0.0; 3], nearest: None };
         let (mut distance_sum, mut known, mut nearest) = (0.0, 0.0, 0.0);
         let apart = self.taps(3).filter(|tap| tap.squared > 0.0);
         for Tap { q, squared, weight, visibility, distance } in self.taps(1).chain(apart) {
-            let occluded = weight * (1.0 - visibility) * reach(squared, 2.0 * self.light_radius * distance + near);
-            found.occluded += occluded;
-            found.lit += weight * visibility * reach(squared, 2.0 * self.light_radius * own_distance + near);
+            let reached = weight * reach(squared, 2.0 * self.light_radius * distance + near);
+            let within = weight * reach(squared, 2.0 * self.light_radius * own_distance + near);
+            let most = reached * largest(visibility.map(|v| 1.0 - v));
+            found.occluded = each(|c| found.occluded[c] + reached * (1.0 - visibility[c]));
+            found.lit = each(|c| found.lit[c] + within * visibility[c]);
             if distance > 0.0 {
-                distance_sum += occluded * distance;
-                known += occluded;
-                if occluded > CLEARLY * nearest {
-                    (nearest, found.nearest) = (occluded, Some(q));
+                distance_sum += most * distance;
+                known += most;
+                if most > CLEARLY * nearest {
+                    (nearest, found.nearest) = (most, Some(q));
                 }
             }
         }
@@ -196,11 +206,11 @@ impl Surroundings<'_> {
     }
 
     /// Weight of the samples within the penumbra, and of the lit ones.
-    fn window(&self, radius: f32) -> [f32; 2] {
+    fn window(&self, radius: f32) -> (f32, Visible) {
         let longer = self.ruler.longer();
-        self.taps(1).fold([0.0; 2], |[sum, lit], tap| {
+        self.taps(1).fold((0.0, [0.0; 3]), |(sum, lit), tap| {
             let weight = tap.weight * reach(tap.squared, radius + NEAR * longer);
-            [sum + weight, lit + weight * tap.visibility]
+            (sum + weight, each(|c| lit[c] + weight * tap.visibility[c]))
         })
     }
 
@@ -214,57 +224,57 @@ impl Surroundings<'_> {
         let known = past.map_or(0.0, |(h, _)| h.occluder_distance);
         let distance = if known > 0.0 && searched > 0.0 { known + DISTANCE_ALPHA * (searched - known) } else { searched };
         let radius = self.light_radius * distance;
-        let [sum, of_lit] = self.window(radius);
-        let share = if sum > NOTHING { of_lit / sum } else { 1.0 };
+        let (sum, of_lit) = self.window(radius);
+        let share = if sum > NOTHING { of_lit.map(|lit| lit / sum) } else { [1.0; 3] };
         let v = self.samples.at(self.p).visibility.unwrap_or(share);
         let fresh = VisibilityHistory { mean: v, deviation: 0.0, history_length: 1.0, occluder_distance: distance };
         let result = past.map_or(fresh, |(before, blur)| {
             let pixels = radius / self.ruler.squared_lengths().max_element().sqrt();
-            let allowed = bounds([occluded, lit], [sum, of_lit], pixels);
-            blend(
-                tuning,
-                v,
-                &VisibilityHistory { occluder_distance: distance, ..before },
-                allowed,
-                blur / self.tolerated_blur(radius),
-            )
+            let z = if self.ambient { CONFIDENCE_Z_OF_AMBIENT } else { pixels.clamp(CONFIDENCE_Z[0], CONFIDENCE_Z[1]) };
+            let bounded = each(|c| {
+                let kinds = (!self.ambient).then_some([occluded[c], lit[c]]);
+                let [from, to] = bounds(kinds, [sum, of_lit[c]], z);
+                before.mean[c].clamp(from, to)
+            });
+            let before = VisibilityHistory { occluder_distance: distance, ..before };
+            blend(tuning, v, &before, bounded, blur / self.tolerated_blur(radius))
         });
         // A few samples may be equal by chance.
+        let spread = largest(share.map(|share| share * (1.0 - share))).max(0.0).sqrt();
         match result.history_length < SHORT_HISTORY {
-            true => VisibilityHistory { deviation: result.deviation.max((share * (1.0 - share)).max(0.0).sqrt()), ..result },
+            true => VisibilityHistory { deviation: result.deviation.max(spread), ..result },
             false => result,
         }
     }
 }
 
-/// The range of the mean that the samples of this frame allow: only lit, only occluded, or the interval of \[Wilson 1927\].
-fn bounds([occluded, lit]: [f32; 2], [n, of_lit]: [f32; 2], pixels: f32) -> [f32; 2] {
-    if occluded <= NOTHING && lit > NOTHING {
-        return [1.0; 2];
-    }
-    if lit <= NOTHING && occluded > NOTHING {
-        return [0.0; 2];
+/// The range of the mean that the samples of this frame allow: only lit, only occluded, where their kinds count, or the interval of
+/// \[Wilson 1927\].
+fn bounds(kinds: Option<[f32; 2]>, [n, of_lit]: [f32; 2], z: f32) -> [f32; 2] {
+    match kinds {
+        Some([occluded, lit]) if occluded <= NOTHING && lit > NOTHING => return [1.0; 2],
+        Some([occluded, lit]) if lit <= NOTHING && occluded > NOTHING => return [0.0; 2],
+        _ => {}
     }
     if n <= NOTHING {
         return [0.0, 1.0];
     }
-    let z = pixels.clamp(CONFIDENCE_Z[0], CONFIDENCE_Z[1]);
     let squared = z * z;
     let middle = (of_lit + squared / 2.0) / (n + squared);
     let half_width = z / (n + squared) * (of_lit * (n - of_lit) / n + squared / 4.0).max(0.0).sqrt();
     [middle - half_width, middle + half_width].map(|x| x.clamp(0.0, 1.0))
 }
 
-/// `blur`: the variance by which the look at the history blurred it, as a share of what is tolerated.
-fn blend(tuning: &Tuning, v: f32, before: &VisibilityHistory, allowed: [f32; 2], blur: f32) -> VisibilityHistory {
+/// `mean`: that of before, within its bounds. `blur`: the variance by which the look at the history blurred it, as a share of what is
+/// tolerated.
+fn blend(tuning: &Tuning, v: Visible, before: &VisibilityHistory, mean: Visible, blur: f32) -> VisibilityHistory {
     let history_length = (before.history_length + 1.0).min(LONGEST_HISTORY);
     // With the weight alpha, blur adds up to blur / alpha.
     let alpha = tuning.visibility_alpha.max(1.0 / history_length).max(blur.min(1.0));
-    let mean = before.mean.clamp(allowed[0], allowed[1]);
-    let difference = v - before.mean;
+    let difference = largest(each(|c| (v[c] - before.mean[c]).abs()));
     let variance = (1.0 - alpha) * (before.deviation * before.deviation + alpha * difference * difference);
     VisibilityHistory {
-        mean: if alpha < 1.0 { mean + alpha * (v - mean) } else { v },
+        mean: if alpha < 1.0 { each(|c| mean[c] + alpha * (v[c] - mean[c])) } else { v },
         deviation: variance.sqrt(),
         history_length: history_length.min(1.0 / alpha),
         occluder_distance: before.occluder_distance,
@@ -274,27 +284,38 @@ fn blend(tuning: &Tuning, v: f32, before: &VisibilityHistory, allowed: [f32; 2],
 /// A step of the packing, next to a test that may fall the other way: whether a penumbra reaches a pixel.
 pub(crate) const RULES: &[Rule] = &[
     STATISTICS,
-    rule("visibility_history", Unit::Pixel, Reading::Visibility, Tolerance { relative: 0.0, absolute: 1e-3, outliers: 2e-3 }),
+    rule("visibility_history", Unit::Pixel, Reading::Visibility, STEP_OF_MEAN),
+    rule("history_colours", Unit::Pixel, Reading::VisibilityColours, STEP_OF_MEAN),
     rule("visibility_history", Unit::Pixel, Reading::VisibilitySteps, Tolerance { relative: 0.0, absolute: 1.0, outliers: 2e-3 }),
 ];
+
+const STEP_OF_MEAN: Tolerance = Tolerance { relative: 0.0, absolute: 1e-3, outliers: 2e-3 };
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let transforms = b.instance_transforms()?;
-    let inputs = VisibilityAccumulationInputs {
-        guide: b.packed("guide")?,
-        surface_motion: b.packed("surface_motion")?,
-        depth_gradient: b.uint("depth_gradient")?,
-        samples: b.uint("visibility_samples")?,
-        occluders: Occluders {
-            distance: Some(b.colour("occluder_distance")?),
-            id: b.optional_uint("occluder_id")?,
-            motion: b.optional_colour("occluder_motion")?,
-            transforms: transforms.as_deref(),
-        },
-        previous: Some((b.packed("previous_guide")?, b.uint("previous_visibility_history")?)),
-    };
-    let (history, statistics) = visibility_accumulation(b.frame, b.tuning, &inputs);
-    b.count(&statistics)?;
-    b.write("visibility_history", history)
+    let (mut words, mut sum) = (Vec::new(), Statistics::default());
+    for light in 0..lights_of(b) {
+        let history = histories_of(b, ["previous_visibility_history", "previous_history_colours"], light)?;
+        let inputs = VisibilityAccumulationInputs {
+            guide: b.packed("guide")?,
+            surface_motion: b.packed("surface_motion")?,
+            depth_gradient: b.uint("depth_gradient")?,
+            samples: &halves_of(b, ["visibility_samples", "sample_colours"], light)?,
+            occluders: Occluders {
+                distance: Some(b.colour(&of_light("occluder_distance", light))?),
+                id: b.optional_uint(&of_light("occluder_id", light))?,
+                motion: b.optional_colour(&of_light("occluder_motion", light))?,
+                transforms: transforms.as_deref(),
+                light,
+            },
+            ambient: b.is_on("AMBIENT")?,
+            previous: Some((b.packed("previous_guide")?, &history)),
+        };
+        let (history, statistics) = visibility_accumulation(b.frame, b.tuning, &inputs);
+        sum = sum.plus(&statistics);
+        words.push(history.map(pack_visibility));
+    }
+    b.count(&sum)?;
+    write_words(b, ["visibility_history", "history_colours"], &words)
 }

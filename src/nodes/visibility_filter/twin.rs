@@ -1,12 +1,13 @@
-//! The stage `visibility_filter` \[Mehta et al. 2012\]: one level of the filter of a visibility, no wider than its penumbra.
+//! The stage `visibility_filter` \[Mehta et al. 2012\]: one level of the filter of visibility, no wider than its penumbra.
 
-use crate::reference::binary16::{from_half_bits, half_bits};
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::{Reading, Rule, Unit};
 use crate::reference::geometry_weights::Geometry;
 use crate::reference::rules::{pixels, rule, WEIGHTED};
 use crate::reference::surface_motion::unpack_depth_gradient;
-use crate::reference::visibility::{unpack_visibility, Ruler};
+use crate::reference::visibility::{
+    each, halves_of, histories_of, largest, lights_of, of_light, pack_halves, write_words, Ruler, VisibilityHistory, Visible,
+};
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Error, FrameConstants, Tuning};
 use glam::{IVec2, Vec2};
@@ -32,18 +33,17 @@ pub(crate) struct VisibilityFilterInputs<'a> {
     pub guide: &'a Image<[u16; 4]>,
     /// The image `depth_gradient`, from the stage `import`.
     pub depth_gradient: &'a Image<u32>,
+    /// Angular radius of the light.
+    pub light_radius: f32,
     /// The history of this frame, which the distance of the occluder is read from.
-    pub visibility_history: &'a Image<u32>,
+    pub visibility_history: &'a Image<VisibilityHistory>,
     /// Visibility and its standard deviation.
-    pub estimate: &'a Image<[f32; 2]>,
+    pub estimate: &'a Image<(Visible, f32)>,
 }
 
 /// The estimates that the first level starts from: visibility, and the standard deviation of a mean with the smallest weight 1/N.
-pub(crate) fn first_estimate(visibility_history: &Image<u32>) -> Image<[f32; 2]> {
-    visibility_history.map(|texel| {
-        let h = unpack_visibility(*texel);
-        [h.mean, h.deviation / (2.0 * h.history_length - 1.0).max(f32::MIN_POSITIVE).sqrt()]
-    })
+pub(crate) fn first_estimate(visibility_history: &Image<VisibilityHistory>) -> Image<(Visible, f32)> {
+    visibility_history.map(|h| (h.mean, h.deviation / (2.0 * h.history_length - 1.0).max(f32::MIN_POSITIVE).sqrt()))
 }
 
 /// Filters estimates by a kernel whose variance is the level's share of what the penumbra allows.
@@ -52,7 +52,7 @@ pub(crate) fn visibility_filter(
     tuning: &Tuning,
     level: u32,
     inputs: &VisibilityFilterInputs,
-) -> Image<[f32; 2]> {
+) -> Image<(Visible, f32)> {
     let geometry = Geometry::new(frame, tuning, inputs.guide, inputs.depth_gradient);
     let rect = RenderRect::new(frame.render_extent);
     Image::compute(inputs.guide.extent(), frame.render_extent, |p| {
@@ -61,30 +61,34 @@ pub(crate) fn visibility_filter(
             return estimate;
         }
         let ruler = Ruler::new(frame, geometry.linear_depth(p), unpack_depth_gradient(inputs.depth_gradient.at(p)));
-        let distance = unpack_visibility(inputs.visibility_history.at(p)).occluder_distance;
-        let deviation = tuning.penumbra_blur * tuning.light_radius * distance / ruler.longer();
+        let distance = inputs.visibility_history.at(p).occluder_distance;
+        let deviation = tuning.penumbra_blur * inputs.light_radius * distance / ruler.longer();
         let variance = share_of_level((deviation * deviation).min(1e6), level);
         let is_edge = level < ALONG_LEVELS && distance > 0.0;
         if variance <= NARROW && !is_edge {
             return estimate;
         }
         let taps = || rect.window(p, 2, 1 << level).filter(|(_, q)| !geometry.is_background(*q));
-        let [v, sigma] = estimate;
-        let slope: Vec2 = taps().map(|(o, q)| o.as_vec2() * geometry.weight(p, q) * (inputs.estimate.at(q)[0] - v)).sum();
+        let (v, sigma) = estimate;
+        let rise = |q: IVec2| (0..3).map(|c| inputs.estimate.at(q).0[c] - v[c]).sum::<f32>() / 3.0;
+        let slope: Vec2 = taps().map(|(o, q)| o.as_vec2() * geometry.weight(p, q) * rise(q)).sum();
         let light = if level < ALONG_LEVELS && slope.length_squared() > 1e-6 { slope.normalize() } else { Vec2::ZERO };
         let kernel = Kernel { ruler, light, variance: variance.max(1e-6), full: 4_f32.powi(level as i32) };
         let tolerance = tuning.visibility_sigma * sigma + VISIBILITY_EPSILON;
-        let (mut sum, mut squares, mut weights) = (0.0, 0.0, 0.0);
+        let (mut sum, mut squares, mut weights) = ([0.0; 3], 0.0, 0.0);
         for (offset, q) in taps() {
-            let [v_q, sigma_q] = inputs.estimate.at(q);
-            let near =
-                if offset == IVec2::ZERO { 1.0 } else { (-kernel.way(offset * (1 << level)) - (v_q - v).abs() / tolerance).exp() };
+            let (v_q, sigma_q) = inputs.estimate.at(q);
+            let difference = largest(each(|c| (v_q[c] - v[c]).abs()));
+            let near = match offset == IVec2::ZERO {
+                true => 1.0,
+                false => (-kernel.way(offset * (1 << level)) - difference / tolerance).exp(),
+            };
             let weight = near * geometry.weight(p, q);
-            sum += weight * v_q;
+            sum = each(|c| sum[c] + weight * v_q[c]);
             squares += weight * weight * sigma_q * sigma_q;
             weights += weight;
         }
-        [sum / weights, squares.sqrt() / weights]
+        (sum.map(|sum| sum / weights), squares.sqrt() / weights)
     })
 }
 
@@ -122,23 +126,38 @@ fn share_of_level(wanted: f32, level: u32) -> f32 {
 }
 
 /// How what it writes is compared with the GPU.
-pub(crate) const RULES: &[Rule] =
-    &[rule("filter_out", Unit::Pixel, Reading::Halves, WEIGHTED), pixels("denoised_visibility", WEIGHTED)];
+pub(crate) const RULES: &[Rule] = &[
+    rule("filter_out", Unit::Pixel, Reading::Halves, WEIGHTED),
+    rule("filter_out_colours", Unit::Pixel, Reading::Halves, WEIGHTED),
+    pixels("denoised_visibility", WEIGHTED),
+    pixels("denoised_visibility_1", WEIGHTED),
+    pixels("denoised_visibility_2", WEIGHTED),
+    pixels("denoised_visibility_3", WEIGHTED),
+];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
-    let input = b.uint("filter_in")?;
-    let halves = |texel: &u32| [from_half_bits(*texel as u16), from_half_bits((texel >> 16) as u16)];
-    let estimate = if b.is_on("FIRST")? { first_estimate(input) } else { input.map(halves) };
-    let inputs = VisibilityFilterInputs {
-        guide: b.packed("guide")?,
-        depth_gradient: b.uint("depth_gradient")?,
-        visibility_history: b.uint("visibility_history")?,
-        estimate: &estimate,
-    };
-    let filtered = visibility_filter(b.frame, b.tuning, b.level, &inputs);
-    match b.has("denoised_visibility") {
-        true => b.write("denoised_visibility", filtered.map(|[v, _]| *v)),
-        false => b.write("filter_out", filtered.map(|[v, sigma]| u32::from(half_bits(*v)) | u32::from(half_bits(*sigma)) << 16)),
+    let (names, coloured) = (["filter_in", "filter_in_colours"], b.has("filter_in_colours"));
+    let mut words = Vec::new();
+    for light in 0..lights_of(b) {
+        let estimate = match b.is_on("FIRST")? {
+            true => first_estimate(&histories_of(b, names, light)?),
+            false => halves_of(b, names, light)?,
+        };
+        let inputs = VisibilityFilterInputs {
+            guide: b.packed("guide")?,
+            depth_gradient: b.uint("depth_gradient")?,
+            light_radius: b.tuning.light_radii()[light],
+            visibility_history: &histories_of(b, ["visibility_history", ""], light)?,
+            estimate: &estimate,
+        };
+        let filtered = visibility_filter(b.frame, b.tuning, b.level, &inputs);
+        let output = of_light("denoised_visibility", light);
+        match (b.has(&output), coloured) {
+            (true, true) => b.write(&output, filtered.map(|([red, green, blue], _)| [*red, *green, *blue, 1.0]))?,
+            (true, false) => b.write(&output, filtered.map(|(v, _)| v[0]))?,
+            (false, _) => words.push(filtered.map(|(v, sigma)| pack_halves(*v, *sigma))),
+        }
     }
+    write_words(b, ["filter_out", "filter_out_colours"], &words)
 }

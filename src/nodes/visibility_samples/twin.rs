@@ -1,11 +1,12 @@
-//! The stage `visibility_samples`: the visibility of a light and the distance of its occluder, without what is none.
+//! The stage `visibility_samples`: the visibility of lights and the distances of their occluders, without what is none.
 
-use crate::reference::binary16::{half_bits, LARGEST_HALF};
+use crate::reference::binary16::LARGEST_HALF;
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::{Reading, Rule, Unit};
 use crate::reference::guide::unpack_guide;
 use crate::reference::rules::{rule, HALF, STATISTICS};
 use crate::reference::statistics::count;
+use crate::reference::visibility::{lights_of, of_light, pack_halves, write_words, Words};
 use crate::reference::Image;
 use crate::{Counter, Statistics};
 use crate::{Error, FrameConstants};
@@ -13,22 +14,25 @@ use crate::{Error, FrameConstants};
 /// The visibility of a pixel that has no sample.
 pub(crate) const NO_SAMPLE: f32 = -1.0;
 
-/// Samples of a host, half floats: visibility in the low bits, [`NO_SAMPLE`] where there is none, distance of the occluder in the
-/// high ones, 0 for none; with the counters of what was none.
+/// Samples of a light, half floats: visibility in the low bits, [`NO_SAMPLE`] where there is none, distance of the occluder in the high
+/// ones, 0 for none; in the second word green and blue. With the counters of what was none. A grey light has red alone.
 pub(crate) fn visibility_samples(
     frame: &FrameConstants,
     guide: &Image<[u16; 4]>,
     noisy_visibility: &Image<[f32; 4]>,
     occluder_distance: &Image<[f32; 4]>,
-) -> (Image<u32>, Statistics) {
+    coloured: bool,
+) -> (Image<Words>, Statistics) {
     let texels = Image::compute(guide.extent(), frame.render_extent, |p| {
         if unpack_guide(guide.at(p)).is_background() {
-            return (packed(1.0, 0.0), false, false);
+            return (pack_halves([1.0; 3], 0.0), false, false);
         }
-        let (v, d) = (noisy_visibility.at(p)[0], occluder_distance.at(p)[0]);
-        let visibility = if v.is_finite() { v.clamp(0.0, 1.0) } else { NO_SAMPLE };
+        let ([red, green, blue, _], d) = (noisy_visibility.at(p), occluder_distance.at(p)[0]);
+        let v = if coloured { [red, green, blue] } else { [red; 3] };
+        let is_finite = v.iter().all(|v| v.is_finite());
+        let visibility = if is_finite { v.map(|v| v.clamp(0.0, 1.0)) } else { [NO_SAMPLE; 3] };
         let distance = if d.is_finite() && d > 0.0 { d.min(LARGEST_HALF) } else { 0.0 };
-        (packed(visibility, distance), !(0.0..=1.0).contains(&v), d.is_nan() || d < 0.0)
+        (pack_halves(visibility, distance), !v.iter().all(|v| (0.0..=1.0).contains(v)), d.is_nan() || d < 0.0)
     });
     let mut statistics = Statistics::default();
     statistics[Counter::Visibility] = count(texels.texels().iter().map(|t| t.1));
@@ -36,19 +40,25 @@ pub(crate) fn visibility_samples(
     (texels.map(|t| t.0), statistics)
 }
 
-fn packed(visibility: f32, distance: f32) -> u32 {
-    u32::from(half_bits(visibility)) | u32::from(half_bits(distance)) << 16
-}
-
 /// How what it writes is compared with the GPU.
-pub(crate) const RULES: &[Rule] = &[STATISTICS, rule("visibility_samples", Unit::Pixel, Reading::Halves, HALF)];
+pub(crate) const RULES: &[Rule] = &[
+    STATISTICS,
+    rule("visibility_samples", Unit::Pixel, Reading::Halves, HALF),
+    rule("sample_colours", Unit::Pixel, Reading::Halves, HALF),
+];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
-    let (guide, visibility, distance) = (b.packed("guide")?, b.colour("noisy_visibility")?, b.colour("occluder_distance")?);
-    let (samples, statistics) = visibility_samples(b.frame, guide, visibility, distance);
-    b.count(&statistics)?;
-    b.write("visibility_samples", samples)
+    let (guide, coloured) = (b.packed("guide")?, b.has("sample_colours"));
+    let (mut words, mut sum) = (Vec::new(), Statistics::default());
+    for light in 0..lights_of(b) {
+        let [visibility, distance] = ["noisy_visibility", "occluder_distance"].map(|name| b.colour(&of_light(name, light)));
+        let (samples, statistics) = visibility_samples(b.frame, guide, visibility?, distance?, coloured);
+        sum = sum.plus(&statistics);
+        words.push(samples);
+    }
+    b.count(&sum)?;
+    write_words(b, ["visibility_samples", "sample_colours"], &words)
 }
 
 #[cfg(test)]
@@ -63,11 +73,26 @@ mod tests {
         let distances = [0.0, 2.0, f32::INFINITY, -1.0, f32::NAN, 1e9, f32::NEG_INFINITY, -0.0];
         let g = guides([9, 1], |x, _| if x == 8 { Default::default() } else { surface(1.0) });
         let of = |values: [f32; 8]| paint([9, 1], move |x, _| [values.get(x as usize).copied().unwrap_or(f32::NAN); 4]);
-        let (samples, statistics) = visibility_samples(&frame([9, 1]), &g.guide, &of(values), &of(distances));
-        let halves = |shift: u32| samples.texels().iter().map(|t| from_half_bits((t >> shift) as u16)).collect::<Vec<_>>();
+        let (samples, statistics) = visibility_samples(&frame([9, 1]), &g.guide, &of(values), &of(distances), false);
+        let halves = |shift: u32| samples.texels().iter().map(|t| from_half_bits((t[0] >> shift) as u16)).collect::<Vec<_>>();
         assert_eq!(halves(0), [0.0, 1.0, 0.5, 0.0, 1.0, NO_SAMPLE, NO_SAMPLE, NO_SAMPLE, 1.0]);
         assert_eq!(halves(16), [0.0, 2.0, 0.0, 0.0, 0.0, 65504.0, 0.0, 0.0, 0.0]);
         let counted = [Counter::Visibility, Counter::OccluderDistance].map(|c| statistics[c]);
         assert_eq!(counted, [5, 3]);
+    }
+    #[test]
+    fn a_colour_is_kept_and_bad_where_one_component_is() {
+        let g = guides([4, 1], |_, _| surface(1.0));
+        let seen = [[1.0, 0.5, 0.25], [0.0, 0.0, 0.0], [1.0, f32::NAN, 1.0], [0.5, 2.0, 0.5]];
+        let given = paint([4, 1], |x, _| {
+            let [r, g, b] = seen[x as usize];
+            [r, g, b, 0.0]
+        });
+        let (samples, statistics) = visibility_samples(&frame([4, 1]), &g.guide, &given, &Image::new([4, 1], [2.0; 4]), true);
+        let halves = |t: u32| [from_half_bits(t as u16), from_half_bits((t >> 16) as u16)];
+        let read = samples.texels().iter().map(|t| [halves(t[0]), halves(t[1])].concat()).collect::<Vec<_>>();
+        let none = NO_SAMPLE;
+        assert_eq!(read, [[1.0, 2.0, 0.5, 0.25], [0.0, 2.0, 0.0, 0.0], [none, 2.0, none, none], [0.5, 2.0, 1.0, 0.5]]);
+        assert_eq!(statistics[Counter::Visibility], 2);
     }
 }

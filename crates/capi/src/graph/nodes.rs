@@ -121,7 +121,7 @@ nodes! {
         volume_accumulation(port guides, port radiance, port history, port motion);
         volume_variance(port guides, port accumulated, port history);
         volume_atrous(port guides, port estimate) VolumeAtrous { number levels, optional feedback, flag keeps_exposure };
-        visibility_samples(port guides);
+        visibility_samples(port guides) Lights { number count, flag coloured, flag ambient };
         visibility_accumulation(port guides, port samples);
         visibility_filter(port guides, port accumulated, count levels);
         shadowed_light(port radiance, port visibility);

@@ -326,7 +326,7 @@ fn hit_ids_are_replayed() {
 
 /// Things that cast shadows, and a lamp, that move: what the frames give depends on each.
 fn moving_shadows_are_replayed() {
-    let config = Config { visibility: true, ..Config::new(EXTENT) };
+    let config = Config { visibility: 1, ..Config::new(EXTENT) };
     let frames = |folder: &Path, left_out: &str| {
         let scene = Scene { speed: 0.05, ..Scene::new(EXTENT) };
         capture(folder, &config, &Tuning::default(), &scene, |i, inputs| {

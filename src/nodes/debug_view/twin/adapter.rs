@@ -4,6 +4,7 @@ use super::*;
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::{Rule, Tolerance};
 use crate::reference::rules::{pixels, HALF};
+use crate::reference::visibility::histories_of;
 use crate::Error;
 
 /// Colours go through a power, which devices round each in its own way.
@@ -15,6 +16,7 @@ pub(crate) const RULES: &[Rule] = &[pixels("debug_view", PICTURE)];
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let transforms = b.instance_transforms()?;
+    let visible = b.has("visibility_history").then(|| histories_of(b, ["visibility_history", ""], 0)).transpose()?;
     let inputs = DebugViewInputs {
         guide: b.packed("guide")?,
         surface_motion: b.packed("surface_motion")?,
@@ -28,10 +30,11 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         firefly_limits: &if b.has("firefly_limits_0") { b.uints("firefly_limits")? } else { Vec::new() },
         noisy: &b.colours("noisy")?,
         reflection: b.has("reflection").then(|| b.uint("reflection")).transpose()?,
-        visibility_history: b.has("visibility_history").then(|| b.uint("visibility_history")).transpose()?,
+        visibility_history: visible.as_ref(),
         albedo: b.optional_colour("albedo")?,
         instances: Instances {
             hit_id: b.optional_uint("specular_hit_id")?,
+            motion: b.optional_colour("specular_motion")?,
             surface_id: b.optional_uint("surface_id")?,
             transforms: transforms.as_deref(),
         },

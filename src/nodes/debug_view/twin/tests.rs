@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::reference::test_scene::*;
-use crate::reference::{pack_luminance_history, pack_reflection, pack_surface_motion, pack_visibility, Reason};
+use crate::reference::{pack_luminance_history, pack_reflection, pack_surface_motion, Reason};
 use crate::Config;
 use glam::Vec3;
 
@@ -95,8 +95,8 @@ fn the_legend_has_the_colours_of_the_picture() {
     let seen = SeenReflection { hit_distance: 1.0, roughness: 0.0 };
     let [reflection, surface_past, no_past] = [Some(1.0), Some(0.0), None].map(|s| Image::new(EXTENT, pack_reflection(&seen, s)));
     // A pixel of the plane is 2/14 scene units high: 4 of them.
-    let history = VisibilityHistory { mean: 0.5, occluder_distance: 8.0 / 14.0, ..VisibilityHistory::default() };
-    let visibility = Image::new(EXTENT, pack_visibility(&history));
+    let history = VisibilityHistory { mean: [0.5; 3], occluder_distance: 8.0 / 14.0, ..VisibilityHistory::default() };
+    let visibility = Image::new(EXTENT, history);
     let (statistics, confidence) = (Statistics::default(), Image::new(EXTENT, 0.5));
     let inputs = DebugViewInputs {
         luminance_history: &[&two],
@@ -173,7 +173,7 @@ fn virtual_motion_follows_the_thing_in_the_mirror() {
     let reflection = Image::new(EXTENT, pack_reflection(&SeenReflection { hit_distance: 4.0, roughness: 0.0 }, None));
     for (id, wanted) in [(1, 0.0), (2, 2.0 * 7.0 / 8.0)] {
         let hit_id = Image::new(EXTENT, id);
-        let instances = Instances { hit_id: Some(&hit_id), surface_id: None, transforms: Some(&transforms) };
+        let instances = Instances { hit_id: Some(&hit_id), transforms: Some(&transforms), ..Default::default() };
         let statistics = Statistics::default();
         let inputs = DebugViewInputs { reflection: Some(&reflection), instances, ..bare(&guides, &statistics) };
         let given = debug_view(&frame, &Tuning::default(), &inputs, DebugView::VirtualMotion).at(IVec2::new(8, 7))[3];

@@ -27,6 +27,7 @@ struct Wall {
     luminance_history: Image<[u16; 4]>,
     reflection: Image<u32>,
     ids: Option<[Image<u32>; 2]>,
+    motion: Option<Image<[f32; 4]>>,
     transforms: Vec<InstanceTransform>,
     is_filtered: bool,
     is_sharp: bool,
@@ -49,6 +50,7 @@ impl Wall {
             luminance_history: Image::new(EXTENT, pack_luminance_history(&luminance_history)),
             reflection: Image::new(EXTENT, pack_reflection(&SeenReflection { hit_distance, roughness }, None)),
             ids: None,
+            motion: None,
             transforms: Vec::new(),
             is_filtered: false,
             is_sharp: false,
@@ -69,6 +71,7 @@ impl Wall {
                 hit_id: self.ids.as_ref().map(|[hit, _]| hit),
                 surface_id: self.ids.as_ref().map(|[_, mirror]| mirror),
                 transforms: Some(&self.transforms),
+                motion: self.motion.as_ref(),
             },
             previous: PreviousSpecular {
                 guide: &self.guides.guide,
@@ -368,4 +371,35 @@ fn a_thing_without_a_usable_transform_is_at_rest_and_counted() {
     // One that a transform carries behind the mirror is not seen in it.
     let behind = wall_before(moved(0.0, Vec3::ZERO), moved(0.0, Vec3::new(3.0, 0.0, -9.0)));
     assert_eq!(behind.run().accumulated, Wall::new(0.0, 4.0, 0.0).run().accumulated);
+}
+
+#[test]
+fn the_motion_of_the_host_counts_before_ids_and_ids_where_it_is_not_finite() {
+    let (still, mirror) = (moved(0.0, Vec3::ZERO), moved(0.005, Vec3::new(0.1, 0.0, -0.2)));
+    let (way, pixels) = (Vec3::new(1.05, 0.0, 0.4), EXTENT[0] * EXTENT[1]);
+    let shift = |wall: Wall| {
+        let noisy = paint(EXTENT, |x, _| [x as f32, x as f32, x as f32, 4.0]);
+        Wall { noisy, ..wall }.shift()
+    };
+    for mirror in [still, mirror] {
+        let by_id = || wall_before(mirror, moved(0.0, way));
+        let with = |motion: [f32; 4], wall: Wall| Wall { motion: Some(Image::new(EXTENT, motion)), ..wall };
+        let motion = way.extend(0.0).into();
+        let expected = shift(by_id());
+        let elsewhere = shift(wall_before(mirror, moved(0.0, -way)));
+        assert!((expected - elsewhere).abs() > 0.1, "{expected} {elsewhere}");
+        assert!((shift(with(motion, wall_before(mirror, moved(0.0, -way)))) - expected).abs() < 1e-3);
+        // An id that has no transform is not asked for.
+        let unknown = Wall { ids: Some([9, 1].map(|id| Image::new(EXTENT, id))), ..by_id() };
+        let given = with(motion, unknown).run();
+        assert_eq!(given.statistics, Statistics::default());
+        for bad in [f32::NAN, f32::INFINITY] {
+            let given = with([0.0, bad, 0.0, 0.0], by_id()).run();
+            assert_eq!(given.accumulated, by_id().run().accumulated);
+            assert_eq!(given.statistics[Counter::SpecularMotion], pixels);
+        }
+    }
+    // Without ids and transforms.
+    let alone = Wall { motion: Some(Image::new(EXTENT, way.extend(0.0).into())), ..Wall::new(0.0, 4.0, 0.0) };
+    assert!((shift(alone) - shift(wall_before(still, moved(0.0, way)))).abs() < 1e-3);
 }

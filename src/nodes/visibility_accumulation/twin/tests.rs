@@ -2,18 +2,18 @@
 
 use super::*;
 use crate::nodes::visibility_samples::twin::NO_SAMPLE;
-use crate::reference::binary16::half_bits;
 use crate::reference::test_scene::*;
+use crate::reference::visibility::unpack_visibility;
 use crate::reference::{pack_depth_gradient, pack_surface_motion, InstanceTransform};
 use crate::FrameParams;
 
 const EXTENT: [u32; 2] = [24, 24];
 
 /// Samples `(visibility, distance)` of a plane at depth 1, whose pixels are 2/24 scene units long.
-fn samples(of: impl Fn(i32, i32) -> (f32, f32)) -> Image<u32> {
+fn samples(of: impl Fn(i32, i32) -> (f32, f32)) -> Image<(Visible, f32)> {
     paint(EXTENT, |x, y| {
         let (v, d) = of(x, y);
-        u32::from(half_bits(v)) | u32::from(half_bits(d)) << 16
+        ([v; 3], d)
     })
 }
 
@@ -22,7 +22,7 @@ struct Sequence {
     frame: FrameConstants,
     /// Of every occluder, by the id 1.
     transform: Option<InstanceTransform>,
-    history: Option<Image<u32>>,
+    history: Option<Image<VisibilityHistory>>,
     tuning: Tuning,
 }
 
@@ -33,9 +33,9 @@ impl Sequence {
         Self { guides: guides(EXTENT, |_, _| surface(1.0)), frame: frame(EXTENT), transform: None, history: None, tuning }
     }
 
-    fn frame(&mut self, samples: &Image<u32>) -> Image<VisibilityHistory> {
+    fn frame(&mut self, samples: &Image<(Visible, f32)>) -> Image<VisibilityHistory> {
         let g = &self.guides;
-        let distance = samples.map(|texel| [from_half_bits((texel >> 16) as u16); 4]);
+        let distance = samples.map(|(_, distance)| [*distance; 4]);
         let (id, transforms) = (Image::new(EXTENT, 1), self.transform.map(|transform| [transform; 2]));
         let transforms = transforms.as_ref().map(<[_; 2]>::as_slice);
         let inputs = VisibilityAccumulationInputs {
@@ -43,18 +43,20 @@ impl Sequence {
             surface_motion: &g.surface_motion,
             depth_gradient: &g.depth_gradient,
             samples,
-            occluders: Occluders { distance: Some(&distance), id: Some(&id), transforms, motion: None },
+            occluders: Occluders { distance: Some(&distance), id: Some(&id), transforms, ..Default::default() },
+            ambient: false,
             previous: self.history.as_ref().map(|history| (&g.guide, history)),
         };
         let (history, _) = visibility_accumulation(&self.frame, &self.tuning, &inputs);
-        let result = history.map(|texel| unpack_visibility(*texel));
-        self.history = Some(history);
-        result
+        // As the images round it.
+        let packed = history.map(pack_visibility).map(|[word, colours]| unpack_visibility(*word, Some(*colours)));
+        self.history = Some(packed.clone());
+        packed
     }
 }
 
 /// An edge at x: lit to the right, with a penumbra of `radius` pixels to either side.
-fn edge(at: f32, radius: f32, seed: u32) -> Image<u32> {
+fn edge(at: f32, radius: f32, seed: u32) -> Image<(Visible, f32)> {
     let random = noise(EXTENT, seed);
     samples(move |x, y| {
         let seen = 0.5 + 0.5 * (x as f32 + 0.5 - at) / radius;
@@ -72,7 +74,7 @@ fn a_mean_converges_to_the_visibility() {
     }
     for x in 4..20 {
         let expected = (0.5 + 0.5 * (x as f32 + 0.5 - 12.0) / 6.0_f32).clamp(0.0, 1.0);
-        let column = (0..24).map(|y| last.at(IVec2::new(x, y)).mean).sum::<f32>() / 24.0;
+        let column = (0..24).map(|y| last.at(IVec2::new(x, y)).mean[0]).sum::<f32>() / 24.0;
         assert!((column - expected).abs() < 0.06, "{x}: {column} for {expected}");
     }
     let middle = last.at(IVec2::new(12, 8));
@@ -88,11 +90,11 @@ fn a_shadow_that_left_leaves_nothing_behind() {
     }
     let after = sequence.frame(&edge(6.0, 0.5, 99));
     for (x, y) in (9..24).flat_map(|x| (0..24).map(move |y| (x, y))) {
-        assert_eq!(after.at(IVec2::new(x, y)).mean, 1.0, "{x},{y}");
+        assert_eq!(after.at(IVec2::new(x, y)).mean[0], 1.0, "{x},{y}");
     }
     let back = sequence.frame(&edge(16.0, 0.5, 100));
     for (x, y) in (0..13).flat_map(|x| (0..24).map(move |y| (x, y))) {
-        assert_eq!(back.at(IVec2::new(x, y)).mean, 0.0, "{x},{y}");
+        assert_eq!(back.at(IVec2::new(x, y)).mean[0], 0.0, "{x},{y}");
     }
 }
 
@@ -111,9 +113,9 @@ fn motion_does_not_blur_what_is_sharp_and_blurs_what_is_soft_a_little() {
     };
     let sharp = weight(0.25);
     assert!(sharp[2].history_length <= 4.0, "{sharp:?}");
-    assert_eq!([sharp[0], sharp[4]].map(|h| h.mean), [0.0, 1.0], "{sharp:?}");
+    assert_eq!([sharp[0], sharp[4]].map(|h| h.mean[0]), [0.0, 1.0], "{sharp:?}");
     let soft = weight(6.0);
-    assert!(soft[2].history_length >= 9.0 && soft[2].mean > 0.2 && soft[2].mean < 0.8, "{soft:?}");
+    assert!(soft[2].history_length >= 9.0 && soft[2].mean[0] > 0.2 && soft[2].mean[0] < 0.8, "{soft:?}");
 }
 
 #[test]
@@ -130,8 +132,9 @@ fn a_shadow_that_moves_takes_its_history_along() {
             last = sequence.frame(&edge(2.0 + i as f32 / 2.0, 5.0, i));
         }
         let expected = |x: i32| (0.5 + 0.5 * (x as f32 + 0.5 - 13.5) / 5.0_f32).clamp(0.0, 1.0);
-        let squares =
-            (0..24).flat_map(|y| (9..18).map(move |x| (x, y))).map(|(x, y)| (last.at(IVec2::new(x, y)).mean - expected(x)).powi(2));
+        let squares = (0..24)
+            .flat_map(|y| (9..18).map(move |x| (x, y)))
+            .map(|(x, y)| (last.at(IVec2::new(x, y)).mean[0] - expected(x)).powi(2));
         (squares.sum::<f32>() / (24.0 * 9.0)).sqrt()
     };
     let (without, with) = (error(None), error(Some(moved)));
@@ -143,6 +146,7 @@ fn occluders_without_a_motion_that_can_be_used_are_counted() {
     let shadow = samples(|x, _| if x < 12 { (0.0, 2.0) } else { (1.0, 0.0) });
     let g = guides(EXTENT, |_, _| surface(1.0));
     let (id, motion) = (Image::new(EXTENT, 3), Image::new(EXTENT, [f32::NAN; 4]));
+    let history = Image::new(EXTENT, VisibilityHistory::default());
     let count = |occluders: Occluders, frame: &FrameConstants| {
         let inputs = VisibilityAccumulationInputs {
             guide: &g.guide,
@@ -150,7 +154,8 @@ fn occluders_without_a_motion_that_can_be_used_are_counted() {
             depth_gradient: &g.depth_gradient,
             samples: &shadow,
             occluders,
-            previous: Some((&g.guide, &shadow)),
+            ambient: false,
+            previous: Some((&g.guide, &history)),
         };
         let (_, statistics) = visibility_accumulation(frame, &svgf_tuning(), &inputs);
         [Counter::OccluderId, Counter::OccluderMotion].map(|counter| statistics[counter])
@@ -168,11 +173,11 @@ fn a_pixel_without_a_sample_takes_those_around() {
     let hole = |v: f32| samples(move |x, y| if (x, y) == (8, 8) { (NO_SAMPLE, 0.0) } else { (v, if v < 1.0 { 2.0 } else { 0.0 }) });
     for v in [0.0, 1.0] {
         let first = sequence.frame(&hole(v));
-        assert!(first.texels().iter().all(|h| h.mean == v), "{v}");
+        assert!(first.texels().iter().all(|h| h.mean == [v; 3]), "{v}");
         sequence.history = None;
     }
     let none = sequence.frame(&samples(|_, _| (NO_SAMPLE, 0.0)));
-    assert!(none.texels().iter().all(|h| h.mean == 1.0 && h.deviation == 0.0));
+    assert!(none.texels().iter().all(|h| h.mean == [1.0; 3] && h.deviation == 0.0));
 }
 
 #[test]
@@ -182,6 +187,7 @@ fn a_reset_frame_and_the_background_have_no_past() {
     let g = guides(EXTENT, |x, _| if x < 4 { Default::default() } else { surface(1.0) });
     let lit = samples(|_, _| (1.0, 0.0));
     let inputs = VisibilityAccumulationInputs {
+        ambient: false,
         guide: &g.guide,
         surface_motion: &g.surface_motion,
         depth_gradient: &Image::new(EXTENT, pack_depth_gradient([0.0; 2])),
@@ -190,6 +196,6 @@ fn a_reset_frame_and_the_background_have_no_past() {
         previous: Some((&sequence.guides.guide, sequence.history.as_ref().expect("a frame"))),
     };
     let (after, _) = visibility_accumulation(&reset(frame(EXTENT)), &sequence.tuning, &inputs);
-    let fresh = VisibilityHistory { mean: 1.0, history_length: 1.0, ..Default::default() };
-    assert!(after.texels().iter().all(|texel| unpack_visibility(*texel) == fresh));
+    let fresh = VisibilityHistory { mean: [1.0; 3], history_length: 1.0, ..Default::default() };
+    assert!(after.texels().iter().all(|texel| *texel == fresh));
 }

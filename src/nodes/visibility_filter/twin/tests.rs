@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::reference::test_scene::*;
-use crate::reference::{pack_visibility, VisibilityHistory};
+use crate::reference::VisibilityHistory;
 
 const EXTENT: [u32; 2] = [32, 32];
 
@@ -10,18 +10,20 @@ const EXTENT: [u32; 2] = [32, 32];
 fn filtered(radius: f32, deviation: f32, estimate: impl Fn(i32, i32) -> f32) -> Image<[f32; 2]> {
     let g = guides(EXTENT, |_, _| surface(1.0));
     // Pixels are 2/32 scene units long.
-    let history = VisibilityHistory { mean: 0.5, deviation: 0.5, history_length: 4.0, occluder_distance: radius };
-    let history = Image::new(EXTENT, pack_visibility(&history));
+    let history = VisibilityHistory { mean: [0.5; 3], deviation: 0.5, history_length: 4.0, occluder_distance: radius };
+    let history = Image::new(EXTENT, history);
     let tuning = Tuning { light_radius: 2.0 / 32.0, penumbra_blur: 0.5, ..svgf_tuning() };
-    (0..4).fold(paint(EXTENT, |x, y| [estimate(x, y), deviation]), |estimate, level| {
+    let filtered = (0..4).fold(paint(EXTENT, |x, y| ([estimate(x, y); 3], deviation)), |estimate, level| {
         let inputs = VisibilityFilterInputs {
             guide: &g.guide,
             depth_gradient: &g.depth_gradient,
+            light_radius: tuning.light_radius,
             visibility_history: &history,
             estimate: &estimate,
         };
         visibility_filter(&frame(EXTENT), &tuning, level, &inputs)
-    })
+    });
+    filtered.map(|(v, sigma)| [v[0], *sigma])
 }
 
 fn half(x: i32, _: i32) -> f32 {

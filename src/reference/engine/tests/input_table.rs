@@ -17,7 +17,8 @@ fn asking_for(input: &Input) -> Config {
         object_normal: true,
         forward_motion: true,
         volume: true,
-        visibility: true,
+        visibility: 4,
+        ambient_occlusion: true,
         ..Config::new(EXTENT)
     };
     let apart = Config { signals: Signals::Apart, ..everything };
@@ -35,8 +36,9 @@ fn counted(counter: Counter, input: &Input, is_bad: bool) -> u32 {
     let mut engine = Engine::new(config.declare().expect("valid")).expect("twins");
     let mut sum = 0;
     for frame in 0..2 {
-        // Where the albedo is given, nobody computes it.
-        let is_left_out = |other: &Input| input.name == Input::SPECULAR_F0.name && other.name == Input::SPECULAR_ALBEDO.name;
+        // Where the albedo is given, nobody computes it; where a motion is, nobody asks for the id.
+        let pairs = [(Input::SPECULAR_F0, Input::SPECULAR_ALBEDO), (Input::SPECULAR_HIT_ID, Input::SPECULAR_MOTION)];
+        let is_left_out = |other: &Input| pairs.iter().any(|(of, left_out)| of.name == input.name && left_out.name == other.name);
         for other in Input::ALL.iter().filter(|other| !is_left_out(other)) {
             let Some(id) = engine.declaration.find(other.name) else { continue };
             let Some([width, height]) = engine.declaration.resource(id).extent(engine.declaration.setup()) else {

@@ -27,6 +27,7 @@ fn poison(engine: &mut Engine) {
                 Texels::Scalar(image) => Texels::Scalar(image.map(|_| f32::NAN)),
                 Texels::Packed(image) => Texels::Packed(image.map(|_| [0x7e00; 4])),
                 Texels::Uint(image) => Texels::Uint(image.map(|_| u32::MAX)),
+                Texels::Wide(image) => Texels::Wide(image.map(|_| [u32::MAX; 4])),
                 Texels::Bytes(bytes) => Texels::Bytes(vec![0xff; bytes.len()]),
             };
         }

@@ -118,7 +118,7 @@ impl Frames<'_> {
     fn setup(&self, files: &[FrameFiles]) -> Result<Setup, Box<dyn Error>> {
         let config = ConfigArgs::of("signals", Signals::Together.name());
         let mut setup = Setup::new(files, &Options { preset: Some(Preset::Best), config, ..Options::default() })?;
-        if setup.config.volume || setup.config.visibility {
+        if setup.config.volume || setup.config.visibility > 0 {
             return Err(
                 format!("{} has a volume or a light apart, and the points filter surfaces alone", self.path.display()).into()
             );

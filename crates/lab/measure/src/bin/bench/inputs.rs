@@ -3,7 +3,7 @@
 use super::content::Content;
 use ash::vk;
 use atrous::executor::{InputSet, Session};
-use atrous::{Declaration, Lifetime, ResourceDecl, Shape, TexelGrid};
+use atrous::{Declaration, Input, Lifetime, ResourceDecl, Shape, TexelGrid};
 use atrous_synthetic::moving::Pixel;
 use half::f16;
 use std::error::Error;
@@ -80,7 +80,10 @@ fn rows(images: &[Image], content: Content, size: [u32; 2], frame: u32, rows: Ra
         let pixels: Vec<Pixel> = (0..size[0]).map(|x| content.pixel(size, frame, x, y)).collect();
         for (image, bytes) in images.iter().zip(&mut bytes) {
             if y % image.side == 0 {
-                pixels.iter().step_by(image.side as usize).for_each(|pixel| write(image, pixel, bytes));
+                // Each light has shadows of its own.
+                let aside = Input::by_name(&image.name).map_or(0, |input| input.light) * pixels.len() / 4;
+                let row = pixels.iter().cycle().skip(aside).take(pixels.len());
+                row.step_by(image.side as usize).for_each(|pixel| write(image, pixel, bytes));
             }
         }
     }
@@ -111,8 +114,16 @@ fn texel(name: &str, p: &Pixel) -> [f32; 4] {
         // From a mirror to plaster.
         "roughness" => [[0.05, 0.2, 0.5, 1.0][p.surface_id as usize % 4]; 4],
         "specular_albedo" => colour([0.1; 3]),
-        "specular_hit_distance" | "occluder_distance" => [p.scattering_depth; 4],
-        "noisy_visibility" => [if p.direct == [0.0; 3] { 0.0 } else { 1.0 }; 4],
+        "specular_hit_distance" => [p.scattering_depth; 4],
+        _ if name.starts_with("occluder_distance") => [p.scattering_depth; 4],
+        // What is in the way is of green glass.
+        _ if name.starts_with("noisy_visibility") => {
+            if p.direct == [0.0; 3] {
+                [0.0, 0.75, 0.25, 0.0]
+            } else {
+                [1.0; 4]
+            }
+        }
         "confidence" => [0.9; 4],
         _ => colour([0, 1, 2].map(|i| p.direct[i] + p.indirect[i])),
     }

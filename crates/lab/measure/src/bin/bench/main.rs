@@ -59,6 +59,9 @@ fn bench(options: &Options) -> Result<(), Box<dyn Error>> {
         if let Some(case) = cases.first() {
             print_floor(&case.floor, clock);
         }
+        if options.choices().visibility > 1 {
+            print_lights(&cases);
+        }
         report.cases.extend(cases);
     }
     println!("{}", tables::summary(&report)?);
@@ -88,10 +91,25 @@ fn bench(options: &Options) -> Result<(), Box<dyn Error>> {
 
 fn graphs(options: &Options, size: [u32; 2]) -> Result<Vec<Graph>, atrous::Error> {
     let choices = options.choices();
-    let graph = |subject: &subject::Subject| {
-        Ok(Graph { label: subject.label(&choices), declaration: subject.declare(size, &choices)?, tuning: subject.tuning() })
+    // Beside several lights one, of which theirs is a multiple.
+    let one = (choices.visibility > 1).then(|| subject::Choices { visibility: 1, ..choices.clone() });
+    let graph = |subject: subject::Subject, choices: &subject::Choices| {
+        Ok(Graph { label: subject.label(choices), declaration: subject.declare(size, choices)?, tuning: subject.tuning() })
     };
-    options.subjects().iter().map(graph).collect()
+    let subjects = options.subjects();
+    subjects.iter().flat_map(|subject| one.iter().chain([&choices]).map(|choices| graph(*subject, choices))).collect()
+}
+
+/// The time that the visibility of several lights takes, in times of one: pairs of graphs stand side by side.
+fn print_lights(cases: &[report::Case]) {
+    let time = |case: &report::Case| {
+        let of_lights = case.passes.iter().filter(|pass| pass.stage.starts_with("visibility") || pass.stage == "shadowed_light");
+        of_lights.map(|pass| pass.time.median).sum::<f64>()
+    };
+    for pair in cases.chunks_exact(2) {
+        let [one, several] = [&pair[0], &pair[1]].map(time);
+        println!("{}: {several:.3} ms for its lights, {:.2} times those of one", pair[1].graph, several / one);
+    }
 }
 
 fn print_floor(floor: &report::Floor, clock: Clock) {

@@ -24,9 +24,9 @@ pub struct Options {
     pub content: Content,
     #[command(flatten)]
     pub config: ConfigArgs,
-    /// The shadows of one light apart as well
-    #[arg(long)]
-    pub visibility: bool,
+    /// The shadows of one light apart as well, or of so many lights; of several also their time in times of one
+    #[arg(long, value_name = "LIGHTS", num_args = 0..=1, default_value_t = 0, default_missing_value = "1")]
+    pub visibility: u32,
     /// Fog apart as well
     #[arg(long)]
     pub volume: bool,
@@ -89,7 +89,7 @@ impl Options {
 
     /// The settings of presets.
     pub fn choices(&self) -> Choices {
-        let (visibility, volume) = (self.visibility || self.game, self.volume || self.game);
+        let (visibility, volume) = (self.visibility.max(u32::from(self.game)), self.volume || self.game);
         let post_process = if self.post_process { PostProcess::ToneMapTaa } else { PostProcess::None };
         Choices { config: self.config.clone(), reflections: self.game, visibility, volume, output: self.output, post_process }
     }

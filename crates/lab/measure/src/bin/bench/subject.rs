@@ -19,8 +19,8 @@ pub struct Choices {
     pub config: ConfigArgs,
     /// Reflections apart from diffuse light.
     pub reflections: bool,
-    /// The shadows of one light apart.
-    pub visibility: bool,
+    /// Lights whose shadows are apart.
+    pub visibility: u32,
     /// Fog apart.
     pub volume: bool,
     /// Sides of the output over those of what is rendered.
@@ -46,7 +46,8 @@ impl Subject {
         }
         let parts = [
             (choices.reflections, " + reflections"),
-            (choices.visibility, " + visibility"),
+            (choices.visibility == 1, " + visibility"),
+            (choices.visibility > 1, &*format!(" + visibility of {} lights", choices.visibility)),
             (choices.volume, " + volume"),
             (choices.post_process != PostProcess::None, " + post-process"),
         ];
