@@ -156,7 +156,7 @@ pub(crate) fn check_output_extent(output: Option<[u32; 2]>, rendered: [u32; 2]) 
 /// Checks the light of a picture of so many pixels.
 pub(crate) fn check_light_extent(light: Option<[u32; 2]>, rendered: [u32; 2]) -> Result<(), Error> {
     let Some(light) = light else { return Ok(()) };
-    match (0..2).all(|i| light[i] == rendered[i] || light[i] * 2 == rendered[i]) {
+    match (0..2).all(|i| light[i] == rendered[i] || (rendered[i] % 2 == 0 && light[i] == rendered[i] / 2)) {
         true => Ok(()),
         false => Err(Error::LightExtent { light, rendered }),
     }
