@@ -144,10 +144,10 @@ fn roughness_is_written_from_its_channel() {
     let planes = || (0..4).map(|i| Plane::Float(vec![i as f32])).collect::<Vec<_>>();
     for (channel, expected) in [(Channel::R, 0.0), (Channel::G, 1.0), (Channel::A, 3.0)] {
         let conventions = Conventions { roughness_channel: channel, ..Default::default() };
-        let layer = Layer::of_input("roughness", &conventions, planes(), 1);
+        let layer = Layer::of_input("roughness", &conventions, false, planes(), 1);
         let values: Vec<Vec<f32>> = layer.planes.iter().map(|(_, plane)| plane.values_as_f32().collect()).collect();
         assert_eq!(values, [[expected]], "{channel}");
-        let other = Layer::of_input("noisy_visibility", &conventions, planes(), 1);
+        let other = Layer::of_input("noisy_visibility", &conventions, false, planes(), 1);
         assert_eq!(other.planes[0].1.values_as_f32().collect::<Vec<_>>(), [0.0]);
     }
 }
