@@ -84,15 +84,6 @@ macro_rules! config_fields {
                 /// `upscaled_radiance` with [`PostProcess::None`]. Costs 16 bytes per pixel of the output, and 8 of the
                 /// result. None: the picture has the size that you rendered. Default: none.
                 output_extent: host extent_or_none Option<[u32; 2]> = None;
-                /// Whether the visibility of lights has a colour, for stained glass and leaves: red, green and blue of
-                /// `noisy_visibility` and `denoised_visibility`. Costs about twice the memory of grey ones. Default:
-                /// false.
-                coloured_visibility: filter flag bool = false;
-                /// Whether you give ambient occlusion apart. The input `noisy_ambient` is 0 where a ray into the hemisphere,
-                /// drawn by the cosine, hit something, and 1 where it did not. The input `ambient_distance` is the distance
-                /// of that hit (scene units; 0 or infinite: none). The output is `denoised_ambient`: multiply your ambient
-                /// light by it. Costs 12 bytes per pixel, the output included. Default: false.
-                ambient_occlusion: host flag bool = false;
             }
             conventions {
                 /// Encoding of depth. Default: [`DepthEncoding::Linear`].
@@ -141,6 +132,15 @@ macro_rules! config_fields {
                 /// pixel you traced: [`crate::FrameParams::light_offset`]. Hit and occluder distances and ids, confidence,
                 /// gradients and forward motion have the size of the light. None: it has the rendered size. Default: none.
                 light_extent: host extent_or_none Option<[u32; 2]> = None;
+                /// Whether the visibility of lights has a colour, for stained glass and leaves: red, green and blue of
+                /// `noisy_visibility` and `denoised_visibility`. Costs about twice the memory of grey ones. Default:
+                /// false.
+                coloured_visibility: filter flag bool = false;
+                /// Whether you give ambient occlusion apart. The input `noisy_ambient` is 0 where a ray into the hemisphere,
+                /// drawn by the cosine, hit something, and 1 where it did not. The input `ambient_distance` is the distance
+                /// of that hit (scene units; 0 or infinite: none). The output is `denoised_ambient`: multiply your ambient
+                /// light by it. Costs 12 bytes per pixel, the output included. Default: false.
+                ambient_occlusion: host flag bool = false;
             }
         }
     };

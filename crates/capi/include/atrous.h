@@ -660,15 +660,6 @@ typedef struct AtrousConfig {
   // `PostProcess::None`. Costs 16 bytes per pixel of the output, and 8 of the result. None: the picture has the size
   // that you rendered. 0, 0 is none. Default: 0, 0.
   uint32_t output_extent[2];
-  // Whether the visibility of lights has a colour, for stained glass and leaves: red, green and blue of
-  // `noisy_visibility` and `denoised_visibility`. Costs about twice the memory of grey ones. 0 (false), 1 (true).
-  // Default: 0.
-  uint32_t coloured_visibility;
-  // Whether you give ambient occlusion apart. The input `noisy_ambient` is 0 where a ray into the hemisphere, drawn by
-  // the cosine, hit something, and 1 where it did not. The input `ambient_distance` is the distance of that hit (scene
-  // units; 0 or infinite: none). The output is `denoised_ambient`: multiply your ambient light by it. Costs 12 bytes per
-  // pixel, the output included. 0 (false), 1 (true). Default: 0.
-  uint32_t ambient_occlusion;
   // Factor of the motion's x and y, above 0. For example 50, if you store pixels times 0.02. Default: 1.0.
   float motion_scale;
   // Channel of `roughness` that holds it, for example alpha behind a reflectance. 0 (r), 1 (g), 2 (b), 3 (a). Default: 0.
@@ -686,6 +677,15 @@ typedef struct AtrousConfig {
   // `FrameParams::light_offset`. Hit and occluder distances and ids, confidence, gradients and forward motion have the
   // size of the light. None: it has the rendered size. 0, 0 is none. Default: 0, 0.
   uint32_t light_extent[2];
+  // Whether the visibility of lights has a colour, for stained glass and leaves: red, green and blue of
+  // `noisy_visibility` and `denoised_visibility`. Costs about twice the memory of grey ones. 0 (false), 1 (true).
+  // Default: 0.
+  uint32_t coloured_visibility;
+  // Whether you give ambient occlusion apart. The input `noisy_ambient` is 0 where a ray into the hemisphere, drawn by
+  // the cosine, hit something, and 1 where it did not. The input `ambient_distance` is the distance of that hit (scene
+  // units; 0 or infinite: none). The output is `denoised_ambient`: multiply your ambient light by it. Costs 12 bytes per
+  // pixel, the output included. 0 (false), 1 (true). Default: 0.
+  uint32_t ambient_occlusion;
 } AtrousConfig;
 
 // The device of the passes. Handles stay yours.

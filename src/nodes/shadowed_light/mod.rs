@@ -19,10 +19,8 @@ impl Graph {
         let is_wide = self.format_of(radiance.image()) == Some(WIDE_HDR);
         let module = if is_wide { &shaders::SHADOWED_LIGHT_FLOAT_1 } else { &shaders::SHADOWED_LIGHT_FLOAT_0 };
         let coloured = self.format_of(visibility.image()) == Some(HDR);
-        let mut pass = pass(&node, module)
-            .grid(Grid::Guides)
-            .constant("COLOURED", u32::from(coloured))
-            .bind("radiance", radiance.image());
+        let mut pass =
+            pass(&node, module).grid(Grid::Guides).constant("COLOURED", u32::from(coloured)).bind("radiance", radiance.image());
         for ((binding, visible), light) in OUTPUTS.iter().zip(visibility.images()).zip(Input::UNSHADOWED_DIRECT) {
             pass = pass.bind(binding, *visible).bind(light.name, self.input(light));
         }
