@@ -44,7 +44,7 @@ fn an_engine_like_blade_gives_the_same_picture() {
     for (name, image) in names.iter().zip(&images).chain([(&"roughness", &images[7]), (&"surface_id", &ids)]) {
         engine.executor.bind_image(name, lent(*image)).expect(name);
     }
-    for name in ["specular_albedo", "emission", "specular_hit_id"] {
+    for name in ["specular_albedo", "emission", "specular_hit_id", "specular_motion"] {
         engine.executor.unbind(name).expect(name);
     }
     for i in 0..4 {
