@@ -95,9 +95,10 @@ float occluder_distance_of(const int light, ivec2 p) {
     return texelFetch(occluder_distance, p, 0).x;
 }
 
-// NaN where the host gives none.
+bool has_occluder_motion(const int light) { return is_present(OCCLUDER_MOTION + uint(light)); }
+
 vec3 occluder_motion_of(const int light, ivec2 p) {
-    if (!is_present(OCCLUDER_MOTION + uint(light))) return vec3(uintBitsToFloat(0x7fc00000u));
+    if (!has_occluder_motion(light)) return vec3(0.0);
 #if MANY
     if (light == 1) return texelFetch(occluder_motion_1, p, 0).xyz;
     if (light == 2) return texelFetch(occluder_motion_2, p, 0).xyz;
@@ -390,7 +391,7 @@ void gather(inout Gathered past[MOST_LIGHTS], bool wanted[MOST_LIGHTS], Look loo
 // A pixel's own occluder that should have a motion or a transform, and has none that can be used.
 void count_bad_occluder(const int light, ivec2 p, Sample own) {
     if (!exists(own) || largest(1.0 - own.visibility) <= 0.0 || own.distance == 0.0) return;
-    if (is_present(OCCLUDER_MOTION + uint(light)) && !is_finite(occluder_motion_of(light, p))) count_bad(BAD_OCCLUDER_MOTION);
+    if (has_occluder_motion(light) && !is_finite(occluder_motion_of(light, p))) count_bad(BAD_OCCLUDER_MOTION);
     vec4 rows[3];
     uint id = is_present(INSTANCE_TRANSFORMS) ? occluder_id_of(light, p) : 0u;
     if (id != 0u && !instance_rows(id, rows)) count_bad(BAD_OCCLUDER_ID);

@@ -1,7 +1,8 @@
 // Where the shadow on a surface lay in the previous frame: where the ray from the light past the occluder, as both were, meets the plane of the
 // surface. Twin: src/reference/shadow_motion.rs.
 // Source: [Zeng et al. 2021] 4.1. Deviation: the ray goes to the middle of the light, so it holds for lit pixels beside a shadow, too.
-// Needs occluder_distance_of(light, pixel), occluder_motion_of and occluder_id_of, and instance_transforms at the binding INSTANCE_TRANSFORMS.
+// Needs occluder_distance_of(light, pixel), occluder_motion_of, has_occluder_motion(light) and occluder_id_of, and instance_transforms at
+// the binding INSTANCE_TRANSFORMS.
 #ifndef SHADOW_MOTION_GLSL
 #define SHADOW_MOTION_GLSL
 #include "finite.glsl"
@@ -32,7 +33,7 @@ Receiver receiver_at(ivec2 p, float linear_depth, SurfaceMotion m, vec2 position
 bool occluder_before(const int light, ivec2 q, vec3 occluder, out vec3 before) {
     before = occluder;
     vec3 motion = occluder_motion_of(light, q);
-    if (is_finite(motion)) {
+    if (has_occluder_motion(light) && is_finite(motion)) {
         before += motion;
         return motion != vec3(0.0);
     }
