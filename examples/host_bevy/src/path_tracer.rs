@@ -97,6 +97,7 @@ fn constants(view: &ExtractedView, jitter: Option<&TemporalJitter>, scene: &Scen
 fn trace(
     view: ViewQuery<(&ExtractedView, Option<&TemporalJitter>, &ViewPrepassTextures, &ViewDenoiser, &ViewTarget)>,
     like_solari: Res<LikeSolari>,
+    mut own: Local<Option<[wgpu::Texture; 2]>>,
     scene: Res<Scene>,
     tracer: Res<PathTracer>,
     mut commands: Commands,
@@ -120,7 +121,9 @@ fn trace(
         mapped_at_creation: false,
     });
     // As Solari, which knows of no denoiser: the light goes into the main texture, and the albedo nowhere.
-    let own = like_solari.0.then(|| ["light", "albedo"].map(|label| texture(&device, label, size)));
+    if like_solari.0 && own.is_none() {
+        *own = Some(["light", "albedo"].map(|label| texture(&device, label, size)));
+    }
     let [light, traced_albedo] = own.as_ref().map_or([&denoiser.noisy, &denoiser.albedo], |[light, albedo]| [light, albedo]);
     let (noisy, albedo) = (light.create_view(&default()), traced_albedo.create_view(&default()));
     let resources = [
