@@ -142,4 +142,5 @@ impl Barrier {
 }
 
 /// The one mip level and layer that every image of a declaration has.
+#[cfg(feature = "executor")]
 pub(crate) const WHOLE: vk::ImageSubresourceRange = Subresource::FIRST.range(vk::ImageAspectFlags::COLOR);
