@@ -1,6 +1,7 @@
 //! Light of fewer pixels than the guides.
 
-use super::support::{assert_finite, assert_valid, frame, pixels, rmse, scene::Guides, scene::Scene, session, upload_traced};
+use super::support::display::{enlarged, reference, scene};
+use super::support::{assert_finite, assert_valid, frame, rmse, scene::Guides, scene::Scene, session, upload_traced};
 use atrous::config::{Preset, Signals};
 use atrous::executor::Session;
 use atrous::{Config, Error, FrameParams, ResetReason, Tuning};
@@ -30,23 +31,8 @@ fn offset(index: u32) -> [u32; 2] {
     [[0, 0], [1, 1], [1, 0], [0, 1]][index as usize % 4]
 }
 
-fn scene(extent: [u32; 2], speed: f32, jitter: [f32; 2]) -> Scene {
-    Scene { speed, jitter, noise: 0.3, ..Scene::new(extent) }
-}
-
 fn half() -> Config {
     Config { light_extent: Some(HALF), output_extent: Some(EXTENT), ..Config::new(EXTENT) }
-}
-
-/// Means over the pixels.
-fn reference(speed: f32, index: u32) -> Vec<[f32; 4]> {
-    let mut sum = vec![[0.0; 4]; pixels(EXTENT).count()];
-    for i in 0..16 {
-        let part = [(i % 4) as f32 / 4.0 - 0.375, (i / 4) as f32 / 4.0 - 0.375];
-        let clean = Scene { noise: 0.0, ..scene(EXTENT, speed, part) }.frame(index, 0).clean;
-        sum.iter_mut().zip(&clean).for_each(|(sum, c)| (0..3).for_each(|i| sum[i] += c[i] / 16.0));
-    }
-    sum
 }
 
 /// Runs a frame, of which each cell has light at the offset; returns the picture.
@@ -67,26 +53,10 @@ fn error_of(speed: f32, offset: fn(u32) -> [u32; 2]) -> f64 {
         let scene = scene(EXTENT, speed, jitter(i));
         let params = FrameParams { light_offset: offset(i), ..scene.params(i) };
         let picture = traced_frame(&mut s, &scene.frame(i, i), &params);
-        error += if i >= FRAMES - 4 { rmse(&picture, &reference(speed, i)) / 4.0 } else { 0.0 };
+        error += if i >= FRAMES - 4 { rmse(&picture, &reference(EXTENT, speed, i)) / 4.0 } else { 0.0 };
     }
     assert_valid();
     error
-}
-
-/// A picture of half the extent by the four pixels around, moved back by its jitter.
-fn enlarged(image: &[[f32; 4]], jitter: [f32; 2]) -> Vec<[f32; 4]> {
-    let around = |p: u32, axis: usize| {
-        let s = ((p as f32 + 0.5) / 2.0 - 0.5 - jitter[axis]).clamp(0.0, (HALF[axis] - 1) as f32);
-        let first = (s as u32).min(HALF[axis] - 2);
-        (first, s - first as f32)
-    };
-    let pixel = |(x, y)| {
-        let ((x, fx), (y, fy)) = (around(x, 0), around(y, 1));
-        let at = |x: u32, y: u32| image[(y * HALF[0] + x) as usize];
-        let mix = |a: [f32; 4], b: [f32; 4], t: f32| std::array::from_fn(|i| a[i] + t * (b[i] - a[i]));
-        mix(mix(at(x, y), at(x + 1, y), fx), mix(at(x, y + 1), at(x + 1, y + 1), fx), fy)
-    };
-    pixels(EXTENT).map(pixel).collect()
 }
 
 fn half_the_light_is_better_than_an_enlarged_picture() {
@@ -96,7 +66,11 @@ fn half_the_light_is_better_than_an_enlarged_picture() {
         for i in 0..FRAMES {
             let scene = scene(HALF, speed, jitter(i));
             let (_, image) = frame(&mut s, &scene.frame(i, i), &scene.params(i), &Tuning::default());
-            bilinear += if i >= FRAMES - 4 { rmse(&enlarged(&image, jitter(i)), &reference(speed, i)) / 4.0 } else { 0.0 };
+            bilinear += if i >= FRAMES - 4 {
+                rmse(&enlarged(&image, HALF, EXTENT, jitter(i)), &reference(EXTENT, speed, i)) / 4.0
+            } else {
+                0.0
+            };
         }
         let error = error_of(speed, offset);
         println!("at speed {speed}: {:.3} of the error of a bilinear enlargement", error / bilinear);

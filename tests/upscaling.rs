@@ -1,6 +1,7 @@
 //! An output larger than what is rendered.
 
-use super::support::{assert_valid, frame, pixels, rmse, scene::Scene, session, upload};
+use super::support::display::{enlarged, reference, scene};
+use super::support::{assert_valid, frame, rmse, scene::Scene, session, upload};
 use atrous::config::{PostProcess, Preset};
 use atrous::{Config, Error, FrameParams, Lifetime, ResetReason, Setup, Tuning};
 use atrous_harness::DeviceTest;
@@ -27,38 +28,6 @@ fn jitter(index: u32) -> [f32; 2] {
         }
         sum - 0.5
     })
-}
-
-fn scene(extent: [u32; 2], speed: f32, jitter: [f32; 2]) -> Scene {
-    Scene { speed, jitter, noise: 0.3, ..Scene::new(extent) }
-}
-
-/// Means over the pixels of the output.
-fn reference(output: [u32; 2], speed: f32, index: u32) -> Vec<[f32; 4]> {
-    let mut sum = vec![[0.0; 4]; (output[0] * output[1]) as usize];
-    for i in 0..16 {
-        let part = [(i % 4) as f32 / 4.0 - 0.375, (i / 4) as f32 / 4.0 - 0.375];
-        let clean = Scene { noise: 0.0, ..scene(output, speed, part) }.frame(index, 0).clean;
-        sum.iter_mut().zip(&clean).for_each(|(sum, c)| (0..3).for_each(|i| sum[i] += c[i] / 16.0));
-    }
-    sum
-}
-
-/// A picture by the four pixels around, moved back by its jitter.
-fn enlarged(image: &[[f32; 4]], extent: [u32; 2], output: [u32; 2], jitter: [f32; 2]) -> Vec<[f32; 4]> {
-    let around = |p: u32, axis: usize| {
-        let s = (p as f32 + 0.5) * extent[axis] as f32 / output[axis] as f32 - 0.5 - jitter[axis];
-        let s = s.clamp(0.0, (extent[axis] - 1) as f32);
-        let first = (s as u32).min(extent[axis] - 2);
-        (first, s - first as f32)
-    };
-    let pixel = |(x, y)| {
-        let ((x, fx), (y, fy)) = (around(x, 0), around(y, 1));
-        let at = |x: u32, y: u32| image[(y * extent[0] + x) as usize];
-        let mix = |a: [f32; 4], b: [f32; 4], t: f32| std::array::from_fn(|i| a[i] + t * (b[i] - a[i]));
-        mix(mix(at(x, y), at(x + 1, y), fx), mix(at(x, y + 1), at(x + 1, y + 1), fx), fy)
-    };
-    pixels(output).map(pixel).collect()
 }
 
 fn the_output_is_better_than_an_enlarged_picture() {

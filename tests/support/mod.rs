@@ -1,5 +1,6 @@
 //! What the tests share: the device, sessions on it, and a synthetic scene.
 
+pub mod display;
 pub mod examples;
 pub mod host;
 pub mod intercepted;
