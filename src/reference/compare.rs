@@ -104,6 +104,9 @@ pub(crate) struct Rule {
     pub when: Condition,
 }
 
+/// Words of a texel of [`Texels::Wide`].
+const MOST_WORDS: usize = 4;
+
 impl Rule {
     /// Whether it holds for a pass with these specialisation constants.
     pub(crate) fn holds(&self, constants: &[(&str, u32)]) -> bool {
@@ -133,22 +136,24 @@ impl Rule {
             Unit::Frame => [1, 1],
             Unit::Buffer => gpu.extent(),
         };
-        // Each light of several has a word, which counts as the texel of one does.
-        let words = if matches!(gpu, Texels::Wide(_)) { 4 } else { 1 };
-        let (mut differ, mut first) = (0_usize, None);
+        // Each light of several has a word, to which the bound applies as to the texel of one.
+        let words = if matches!(gpu, Texels::Wide(_)) { MOST_WORDS } else { 1 };
+        let (mut differ, mut first) = ([0_usize; MOST_WORDS], None);
         for y in 0..extent[1] as i32 {
             for x in 0..extent[0] as i32 {
                 let p = IVec2::new(x, y);
                 let (a, b) = (self.values.of(gpu, p), self.values.of(twin, p));
-                let far = |(a, b): &(&[f32], &[f32])| !self.tolerance.admits(a, b);
-                let count = a.chunks(a.len() / words).zip(b.chunks(b.len() / words)).filter(far).count();
-                if count > 0 {
-                    differ += count;
-                    first.get_or_insert((x, y, a, b));
+                let of_words = a.chunks(a.len() / words).zip(b.chunks(b.len() / words));
+                for (count, (a_word, b_word)) in differ.iter_mut().zip(of_words) {
+                    if !self.tolerance.admits(a_word, b_word) {
+                        *count += 1;
+                        first.get_or_insert((x, y, a, b));
+                    }
                 }
             }
         }
-        let allowed = (self.tolerance.outliers * (extent[0] * extent[1] * words as u32) as f32).ceil() as usize;
+        let differ = differ.into_iter().max().unwrap_or(0);
+        let allowed = (self.tolerance.outliers * (extent[0] * extent[1]) as f32).ceil() as usize;
         match first {
             Some((x, y, a, b)) if differ > allowed => Err(format!(
                 "{what}: {differ} texels of {extent:?} differ, {allowed} may; the first at {x},{y}: GPU {a:?}, twin {b:?}"
