@@ -44,6 +44,7 @@ layout(push_constant) uniform Push {
 #include "statistics.glsl"
 #include "surface_test.glsl"
 #include "visibility.glsl"
+#include "light_radius.glsl"
 
 const uint INSTANCE_TRANSFORMS = 9u;
 // Of the first light; those of others follow.
@@ -126,9 +127,8 @@ const float NOTHING = 1e-3;
 const float CLEARLY = 1.001;
 // Pixels that always count as near: an edge that is sharp, and stands still, runs between them.
 const float NEAR = 1.5;
-// Standard deviations of the interval that history is clamped to, by the radius of the penumbra in pixels: where motion blurs as much as
-// the
-// penumbra does, the few samples of this frame know better.
+// Standard deviations of the interval that history is clamped to, by the radius of the penumbra in pixels: where motion blurs as much
+// as the penumbra does, the few samples of this frame know better.
 const vec2 CONFIDENCE_Z = vec2(1.0, 2.0);
 // The same of all directions, whose visibility is near 1 in most places: a narrow interval would pull it down.
 const float CONFIDENCE_Z_OF_AMBIENT = 3.0;
@@ -188,15 +188,6 @@ struct Gathered {
 };
 
 const Gathered NO_PAST = Gathered(0.0, VISIBLE(0.0), VISIBLE(0.0), VISIBLE(0.0), 0.0, 0.0, 0.0);
-
-float radius_of(const int light) {
-#if MANY
-    if (light == 1) return push.light_radius_1;
-    if (light == 2) return push.light_radius_2;
-    if (light == 3) return push.light_radius_3;
-#endif
-    return push.light_radius;
-}
 
 // 1 at the pixel itself, falling to 0 at a distance.
 float reach(float squared, float radius) { return max(0.0, 1.0 - squared / (radius * radius)); }

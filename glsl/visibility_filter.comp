@@ -45,6 +45,7 @@ layout(push_constant) uniform Push {
 #include "geometry_weights.glsl"
 #include "packed_image.glsl"
 #include "visibility.glsl"
+#include "light_radius.glsl"
 
 PACKED_IMAGE(1, guide);
 layout(set = 0, binding = 2) uniform utexture2D depth_gradient;
@@ -83,9 +84,8 @@ layout(set = 0, binding = OF_OTHERS + 2u, DENOISED_FORMAT) uniform writeonly ima
 const float VISIBILITY_EPSILON = 0.01;
 // Squared pixels: a narrower filter changes nothing.
 const float NARROW = 0.02;
-// Along an edge light changes little: variance of the kernel in that direction at least, squared steps of the level, on the first levels;
-// and
-// how far a tap may lie aside for that, squared pixels.
+// Along an edge light changes little: variance of the kernel in that direction at least, squared steps of the level, on the first
+// levels; and how far a tap may lie aside for that, squared pixels.
 const float ALONG = 1.0;
 const float ASIDE = 0.1;
 const uint ALONG_LEVELS = 2u;
@@ -94,15 +94,6 @@ struct Estimate {
     VISIBLE visibility;
     float deviation;
 };
-
-float radius_of(const int light) {
-#if MANY
-    if (light == 1) return push.light_radius_1;
-    if (light == 2) return push.light_radius_2;
-    if (light == 3) return push.light_radius_3;
-#endif
-    return push.light_radius;
-}
 
 WORDS words_at(ivec2 p) { return words_of(packed_at(filter_in, p)); }
 
