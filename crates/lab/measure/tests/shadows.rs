@@ -13,12 +13,12 @@ fn the_parts_add_up_to_all_light() {
     let Some(gpu) = Validated::new() else { return };
     for name in ["hall", "leaves"] {
         let scene = built_in(name, SceneOptions { static_camera: true, ..SceneOptions::default() });
-        let mut tracer = tracer(&gpu, &scene, TracerOptions { sun_apart: true, ..TracerOptions::default() });
+        let mut tracer = tracer(&gpu, &scene, TracerOptions { lamps_apart: true, ..TracerOptions::default() });
         let (mut parts, frames) = (0.0, 64);
         for frame in 0..frames {
             render(&gpu, &mut tracer, frame);
             let read = |image| gpu.0.read_image(image).expect("pixels");
-            let sun = tracer.sun().expect("a sun");
+            let sun = &tracer.lamps_apart()[0];
             let light = read(&sun.unshadowed_direct).into_iter().zip(read(&sun.noisy_visibility));
             let light: Vec<_> = light.map(|(l, v)| [l[0] * v[0], l[1] * v[0], l[2] * v[0]]).collect();
             let others = [&tracer.outputs().scattered, &tracer.outputs().emission].map(|image| mean(&rgb(read(image))));
@@ -40,7 +40,7 @@ fn edges_of_shadows_are_sharp_and_nearly_right() {
     let extent = Extent2D { width: 160, height: 90 };
     let mut radiance = Vec::new();
     for sun_apart in [false, true] {
-        let options = TracerOptions { sun_apart, ..TracerOptions::default() };
+        let options = TracerOptions { lamps_apart: sun_apart, ..TracerOptions::default() };
         let mut tracer = PathTracer::new(&gpu.0, &scene, extent, options).expect("a tracer");
         let mut denoiser = FrameDenoiser::new(&gpu.0, &tracer, &DenoiserOptions::new(Preset::Asvgf)).expect("a denoiser");
         for frame in 0..10 {

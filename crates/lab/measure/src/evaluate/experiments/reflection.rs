@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::measure::Frame;
 use crate::Result;
 use atrous_engine::scene::mirror_moving::{MIRROR, MOVERS};
-use atrous_engine::{DenoiserOptions, Scene, SceneOptions, TracerOptions};
+use atrous_engine::{DenoiserOptions, Reflections, Scene, SceneOptions, TracerOptions};
 use atrous_lab::pictures::Picture;
 use atrous_lab::scores::{flip_map, unbiased_rel_mse, unbiased_rmse, Rgb};
 
@@ -38,7 +38,8 @@ pub fn run(lab: &Lab, folder: &Path) -> Result<Findings> {
 
 fn filters() -> [Contender; 2] {
     let best = Contender::new(BEST, Default::default());
-    let without = Contender { name: WITHOUT, options: DenoiserOptions { hit_ids: false, ..best.options }, over: None };
+    let without =
+        Contender { name: WITHOUT, options: DenoiserOptions { reflections: Reflections::AtRest, ..best.options }, over: None };
     [best, without]
 }
 
