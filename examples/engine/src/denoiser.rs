@@ -37,6 +37,8 @@ pub struct DenoiserOptions {
     pub config: Config,
     /// Whether fog has motion of its own; else it moves as the surfaces behind it.
     pub volume_motion: bool,
+    /// It gets motion of each pixel; else the camera's matrices and the transforms of instances say it all.
+    pub motion: bool,
     /// How reflections follow the thing in them.
     pub reflections: Reflections,
     /// Shadows follow the thing that casts them by its id.
@@ -65,6 +67,7 @@ impl DenoiserOptions {
         Self {
             config: Config { preset, signals, post_process: PostProcess::ToneMap, ..Config::new([1; 2]) },
             volume_motion: true,
+            motion: true,
             reflections: Reflections::default(),
             occluder_ids: true,
             light_places: true,
@@ -368,12 +371,8 @@ fn lights(tracer: &PathTracer) -> [[f32; 4]; 4] {
 
 fn inputs<'a>(tracer: &'a PathTracer, options: &DenoiserOptions) -> Vec<(&'static str, &'a Image)> {
     let outputs = tracer.outputs();
-    let mut inputs = vec![
-        ("depth", &outputs.depth),
-        ("normal", &outputs.normal),
-        ("motion", &outputs.motion),
-        ("surface_id", &outputs.surface_id),
-    ];
+    let mut inputs = vec![("depth", &outputs.depth), ("normal", &outputs.normal), ("surface_id", &outputs.surface_id)];
+    inputs.extend(options.motion.then_some(("motion", &outputs.motion)));
     // Another denoiser's picture has it already.
     if options.config.preset != Preset::Stabilize {
         inputs.push(("emission", &outputs.emission));

@@ -75,9 +75,10 @@ vec3 previous_position(Hit hit) {
     return transform_point(load_previous_world_from_object(hit.instance), object_position(t, hit.barycentrics));
 }
 
-// All that it reflects, as the eye at the start of the line of sight sees it.
+// All that it reflects, tinted by the glass in between. The share that glass mirrors is no albedo: it would be as dark as what albedo does not divide.
 vec3 whole_albedo(Surface s, Sight sight) {
-    return sight.weight * (diffuse_albedo(s) + specular_albedo(s, clamp(-dot(s.normal, sight.direction), 0.0, 1.0)));
+    vec3 tint = sight.id >= ID_REFLECTED ? vec3(1.0) : sight.weight;
+    return tint * (diffuse_albedo(s) + specular_albedo(s, clamp(-dot(s.normal, sight.direction), 0.0, 1.0)));
 }
 
 Surface surface_of(Sight sight) { return surface_at(Visibility(sight.hit.instance, sight.hit.triangle, sight.hit.barycentrics), sight.from); }
@@ -115,7 +116,14 @@ void write_glass(ivec2 pixel, Visibility visibility) {
 
 vec3 albedo_of_reflection(vec3 direction) {
     Sight sight = follow(frame.camera.eye.xyz, direction, true, GLASS_LIMIT);
-    return sight.hit.instance == NO_INSTANCE ? sight.weight : whole_albedo(surface_of(sight), sight);
+    return sight.hit.instance == NO_INSTANCE ? vec3(1.0) : whole_albedo(surface_of(sight), sight);
+}
+
+// Nothing is seen through it that has guides, so its reflection has those of the glass.
+void write_glass_before_sky(ivec2 pixel, vec3 direction) {
+    Hit hit = follow(frame.camera.eye.xyz, direction, false, 0u).hit;
+    write_glass(pixel, Visibility(hit.instance, hit.triangle, hit.barycentrics));
+    imageStore(specular_albedo_image, pixel, vec4(albedo_of_reflection(direction), 0.0));
 }
 
 void write_pixel(ivec2 pixel, vec2 position, vec3 ray) {
@@ -128,7 +136,8 @@ void write_pixel(ivec2 pixel, vec2 position, vec3 ray) {
         write_background(pixel, ray);
         imageStore(emission_image, pixel, vec4(0.0, 0.0, 0.0, 1.0));
     } else if (sight.hit.instance == NO_INSTANCE) {
-        write_background(pixel, ray);
+        if (frame.glass.x == GLASS_LAYERS && sight.meetings > 0u) write_glass_before_sky(pixel, direction);
+        else write_background(pixel, ray);
         imageStore(emission_image, pixel, vec4(environment(sight.direction) * sight.weight, 1.0));
     } else if (sight.meetings > 0u) {
         vec3 reflection = frame.glass.x == GLASS_LAYERS ? albedo_of_reflection(direction) : vec3(0.0);

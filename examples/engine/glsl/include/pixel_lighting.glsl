@@ -42,6 +42,7 @@ PixelLighting light_pixel(ivec2 pixel, PixelSample pixel_sample, uint lamps_left
         if (mode == GLASS_REFLECTION && !mirrored) continue;
         bool nothing = sight.hit.instance == NO_INSTANCE;
         vec3 emitted = environment(sight.direction);
+        if (!mirrored) behind = sight.to_glass;
         Lighting lighting = Lighting(vec3(0.0), vec3(0.0), vec3(0.0), NOTHING_SEEN);
         uint id = 0u;
         vec3 end = vec3(0.0);
@@ -70,7 +71,7 @@ PixelLighting light_pixel(ivec2 pixel, PixelSample pixel_sample, uint lamps_left
             result.seen = seen_of(result.specular, result.seen, direct + indirect, seen);
             result.specular += direct + indirect;
         } else if (mirrored && mode == GLASS_LAYERS) {
-            // As far behind the thing that is seen through the glass, whose place the guides have.
+            // As far behind the thing that is seen through the glass, or behind glass before the sky: that place the guides have.
             float distance = sight.distance + sight.hit.distance - behind;
             result.specular = direct + indirect;
             result.seen = Seen(nothing ? NOWHERE : max(distance, 0.001), 0u);

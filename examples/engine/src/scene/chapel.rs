@@ -95,10 +95,10 @@ fn furniture(scene: &mut Scene) {
 fn lamps(scene: &mut Scene) {
     let lamp = |position, intensity| Lamp::Point { position, radius: 0.08, intensity, spot: None };
     scene.lamps = vec![
-        Lamp::Sun { direction: vec3(0.72, 0.5, -0.1).normalize(), irradiance: vec3(26.0, 23.0, 19.0), radius: 0.02 },
-        lamp(vec3(0.0, 2.5, 0.0), vec3(4.0, 3.0, 1.8)),
-        lamp(vec3(-2.2, 1.9, -1.2), vec3(1.0, 1.6, 3.0)),
-        lamp(vec3(2.2, 2.7, -3.2), vec3(3.0, 1.6, 2.0)),
+        Lamp::Sun { direction: vec3(0.72, 0.5, -0.1).normalize(), irradiance: vec3(11.0, 9.6, 8.0), radius: 0.02 },
+        lamp(vec3(0.0, 2.5, 0.0), vec3(7.0, 5.2, 3.2)),
+        lamp(vec3(-2.2, 1.9, -1.2), vec3(2.0, 3.2, 6.0)),
+        lamp(vec3(2.2, 2.7, -3.2), vec3(6.0, 3.2, 4.0)),
     ];
     scene.set_lamp_path(0, |time| Affine3A::from_rotation_y(0.25 * (TAU * 0.15 * time).sin()));
     scene.set_lamp_path(1, |time| {

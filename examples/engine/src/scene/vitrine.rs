@@ -11,6 +11,10 @@ use super::{Environment, Glass, Material, Placement, Scene, View};
 pub const PANE: u32 = 1;
 /// Of the glass ball.
 pub const BALL: u32 = 2;
+/// Of the ball that rolls behind the pane.
+pub const ROLLING: u32 = 3;
+/// Of the block that slides on the street.
+pub const BLOCK: u32 = 4;
 
 /// The world.
 pub fn scene() -> Scene {
@@ -20,12 +24,24 @@ pub fn scene() -> Scene {
     scene.place(quad(vec3(-2.9, 0.25, 0.0), Vec3::X * 3.2, Vec3::Y * 2.0), Material::glass(Glass::Pane, clear), fixed);
     let ball = Affine3A::from_translation(vec3(0.72, 0.98, 0.7));
     scene.place(sphere(0.42, 64, 96), Material::glass(Glass::Body, Vec3::splat(0.99)), ball);
+    movers(&mut scene);
     house(&mut scene);
     shop(&mut scene);
     street(&mut scene);
     scene.environment = Environment { zenith: vec3(0.25, 0.32, 0.45), horizon: vec3(0.3, 0.32, 0.36), ground: vec3(0.1, 0.1, 0.1) };
     scene.set_camera(view);
     scene
+}
+
+fn movers(scene: &mut Scene) {
+    let ball = scene.add_mesh(sphere(0.3, 32, 48));
+    let red = scene.add_material(Material::diffuse(vec3(0.75, 0.1, 0.07)).with_checker(vec3(0.9, 0.85, 0.75), 8.0));
+    let rolls = |time: f32| Affine3A::from_translation(vec3(-1.3 + 0.9 * (TAU * 0.2 * time).sin(), 0.7, -0.9));
+    scene.add_instance(ball, red, Placement::Animated(Box::new(rolls)));
+    let block = scene.add_mesh(cuboid(vec3(-0.35, 0.0, -0.35), vec3(0.35, 1.5, 0.35)));
+    let striped = scene.add_material(Material::diffuse(vec3(0.1, 0.55, 0.15)).with_checker(vec3(0.95, 0.9, 0.3), 3.0));
+    let slides = |time: f32| Affine3A::from_translation(vec3(-3.0 + 0.9 * (TAU * 0.17 * time + 1.0).sin(), 0.0, 2.3));
+    scene.add_instance(block, striped, Placement::Animated(Box::new(slides)));
 }
 
 /// The wall around the pane, and what the ball stands on.
@@ -51,16 +67,12 @@ fn shop(scene: &mut Scene) {
     scene.place(quad(vec3(-5.0, 0.0, 0.0), Vec3::NEG_Z * 3.2, Vec3::Y * 3.0), plaster, fixed);
     scene.place(quad(vec3(2.0, 0.0, -3.2), Vec3::Z * 3.2, Vec3::Y * 3.0), plaster, fixed);
     scene.place(quad(vec3(-5.0, 3.0, -3.2), Vec3::X * 7.0, Vec3::Z * 3.2), plaster, fixed);
-    let lamp = Material::emitter(vec3(7.0, 6.0, 4.6));
+    let lamp = Material::emitter(vec3(3.2, 2.8, 2.2));
     scene.place(quad(vec3(-2.6, 2.9, -2.4), Vec3::X * 2.4, Vec3::Z * 1.0), lamp, fixed);
     for (x, height) in [(-2.3, 0.9), (-0.5, 0.6)] {
         let block = cuboid(vec3(x - 0.25, 0.0, -2.1), vec3(x + 0.25, height, -1.6));
         scene.place(block, Material::plastic(vec3(0.7, 0.68, 0.62), 0.4), fixed);
     }
-    let ball = scene.add_mesh(sphere(0.3, 32, 48));
-    let red = scene.add_material(Material::diffuse(vec3(0.75, 0.1, 0.07)).with_checker(vec3(0.9, 0.85, 0.75), 8.0));
-    let rolls = |time: f32| Affine3A::from_translation(vec3(-1.3 + 0.9 * (TAU * 0.2 * time).sin(), 0.7, -0.9));
-    scene.add_instance(ball, red, Placement::Animated(Box::new(rolls)));
 }
 
 fn street(scene: &mut Scene) {
@@ -69,12 +81,8 @@ fn street(scene: &mut Scene) {
     scene.place(quad(vec3(-9.0, 0.0, 6.0), Vec3::X * 15.0, Vec3::NEG_Z * 6.0), paving, fixed);
     let opposite = Material::diffuse(vec3(0.8, 0.72, 0.5)).with_checker(vec3(0.3, 0.36, 0.28), 1.2);
     scene.place(quad(vec3(6.0, 0.0, 6.0), Vec3::NEG_X * 15.0, Vec3::Y * 4.0), opposite, fixed);
-    let lamp = Material::emitter(vec3(14.0, 13.0, 11.5));
+    let lamp = Material::emitter(vec3(34.0, 31.0, 27.0));
     scene.place(quad(vec3(-4.5, 4.4, 2.0), Vec3::X * 4.0, Vec3::Z * 2.5), lamp, fixed);
-    let block = scene.add_mesh(cuboid(vec3(-0.35, 0.0, -0.35), vec3(0.35, 1.5, 0.35)));
-    let striped = scene.add_material(Material::diffuse(vec3(0.1, 0.55, 0.15)).with_checker(vec3(0.95, 0.9, 0.3), 3.0));
-    let slides = |time: f32| Affine3A::from_translation(vec3(-3.0 + 0.9 * (TAU * 0.17 * time + 1.0).sin(), 0.0, 2.3));
-    scene.add_instance(block, striped, Placement::Animated(Box::new(slides)));
 }
 
 fn view(time: f32) -> View {

@@ -6,8 +6,10 @@ mod energy;
 mod findings;
 mod flicker;
 mod ghost;
+mod glass;
 mod other;
 mod reflection;
+mod regions;
 mod resolution;
 mod sparse;
 mod still;
@@ -40,10 +42,11 @@ pub struct Experiment {
 }
 
 /// All of them, in the order of the report.
-pub const ALL: [Experiment; 12] = [
+pub const ALL: [Experiment; 13] = [
     Experiment { name: "flicker", is_quick: true, run: flicker::run },
     Experiment { name: "ghost", is_quick: false, run: ghost::run },
     Experiment { name: "reflection", is_quick: false, run: reflection::run },
+    Experiment { name: "glass", is_quick: false, run: glass::run },
     Experiment { name: "still", is_quick: false, run: still::run },
     Experiment { name: "variance", is_quick: true, run: variance::run },
     Experiment { name: "strata", is_quick: false, run: strata::run },
