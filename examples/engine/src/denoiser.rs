@@ -37,7 +37,7 @@ pub struct DenoiserOptions {
     pub config: Config,
     /// Whether fog has motion of its own; else it moves as the surfaces behind it.
     pub volume_motion: bool,
-    /// It gets motion of each pixel; else the camera's matrices and the transforms of instances say it all.
+    /// It gets motion of each pixel and transforms of instances; else the camera's matrices alone.
     pub motion: bool,
     /// How reflections follow the thing in them.
     pub reflections: Reflections,
@@ -150,9 +150,11 @@ impl FrameDenoiser {
         for (name, image) in inputs(tracer, options) {
             executor.bind_image(name, host_image(image, vk::AccessFlags2::SHADER_STORAGE_WRITE))?;
         }
-        let transforms = tracer.previous_from_current();
-        let (stage, access) = (vk::PipelineStageFlags2::ALL_TRANSFER, vk::AccessFlags2::TRANSFER_WRITE);
-        executor.bind_buffer("instance_transforms", transforms.handle, transforms.size, stage, access)?;
+        if options.motion {
+            let transforms = tracer.previous_from_current();
+            let (stage, access) = (vk::PipelineStageFlags2::ALL_TRANSFER, vk::AccessFlags2::TRANSFER_WRITE);
+            executor.bind_buffer("instance_transforms", transforms.handle, transforms.size, stage, access)?;
+        }
         // What is seen through glass is no sample of one surface.
         let reshades = executor.denoiser().declaration().find("gradient_samples").is_some() && !tracer.scene().has_glass();
         let reshading = if reshades { Some(tracer.reshading(config.stratum_size, options.sample_eye(tracer))?) } else { None };

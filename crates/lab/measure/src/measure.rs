@@ -89,7 +89,7 @@ impl Frame {
     /// No memory, or a lost device.
     pub fn read<'a>(gpu: &Gpu, tracer: &PathTracer, denoisers: impl IntoIterator<Item = &'a mut FrameDenoiser>) -> Result<Self> {
         let outputs = tracer.outputs();
-        let (scattered, emission) = (gpu.read_image(&outputs.scattered)?, gpu.read_image(&outputs.emission)?);
+        let (scattered, emission) = (every_pixel(tracer, gpu.read_image(&outputs.scattered)?), gpu.read_image(&outputs.emission)?);
         let mut noisy = scattered.iter().zip(&emission).map(|(s, e)| [s[0] + e[0], s[1] + e[1], s[2] + e[2]]).collect::<Vec<_>>();
         for lamp in tracer.lamps_apart() {
             let (seen, light) = (gpu.read_image(&lamp.noisy_visibility)?, gpu.read_image(&lamp.unshadowed_direct)?);
@@ -205,6 +205,16 @@ impl Frame {
             other => Ok(other?),
         }
     }
+}
+
+/// Light of fewer pixels, each shown in all pixels that it stands for.
+fn every_pixel(tracer: &PathTracer, light: Vec<[f32; 4]>) -> Vec<[f32; 4]> {
+    let (extent, from) = (tracer.extent(), tracer.light_extent());
+    if from == extent {
+        return light;
+    }
+    let pixels = (0..extent.height).flat_map(|y| (0..extent.width).map(move |x| (x, y)));
+    pixels.map(|(x, y)| light[(y * from.height / extent.height * from.width + x * from.width / extent.width) as usize]).collect()
 }
 
 fn add(sum: &mut [[f32; 3]], other: &[[f32; 3]]) {

@@ -95,7 +95,7 @@ void write_sight(ivec2 pixel, vec2 position, vec3 ray, Sight sight, vec3 reflect
     imageStore(depth_image, pixel, vec4((sight.distance + sight.hit.distance) / length(ray)));
     imageStore(normal_image, pixel, vec4(sight.turn * s.normal, 0.0));
     imageStore(object_normal_image, pixel, vec4(s.object_normal, 0.0));
-    imageStore(albedo_image, pixel, vec4(albedo + reflection, s.roughness));
+    imageStore(albedo_image, pixel, vec4(albedo, s.roughness));
     imageStore(diffuse_albedo_image, pixel, vec4(albedo, 0.0));
     imageStore(specular_albedo_image, pixel, vec4(reflection, 0.0));
     imageStore(roughness_image, pixel, vec4(0.0));

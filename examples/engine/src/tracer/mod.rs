@@ -351,6 +351,11 @@ impl PathTracer {
         &self.scene
     }
 
+    /// Whether primary rays move within their pixels from frame to frame.
+    pub fn jitters(&self) -> bool {
+        self.options.jitter
+    }
+
     fn jitter(&self, frame: u32) -> [f32; 2] {
         if self.options.jitter {
             camera::halton_jitter(frame)

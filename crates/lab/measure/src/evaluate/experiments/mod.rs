@@ -1,6 +1,7 @@
 //! Experiments beside the tables of scenes: counterparts of figures of the papers, and what presets have to reach.
 
 mod ablation;
+mod display;
 mod eaw;
 mod energy;
 mod findings;
@@ -42,7 +43,7 @@ pub struct Experiment {
 }
 
 /// All of them, in the order of the report.
-pub const ALL: [Experiment; 13] = [
+pub const ALL: [Experiment; 14] = [
     Experiment { name: "flicker", is_quick: true, run: flicker::run },
     Experiment { name: "ghost", is_quick: false, run: ghost::run },
     Experiment { name: "reflection", is_quick: false, run: reflection::run },
@@ -54,6 +55,7 @@ pub const ALL: [Experiment; 13] = [
     Experiment { name: "eaw", is_quick: false, run: eaw::run },
     Experiment { name: "sparse", is_quick: false, run: sparse::run },
     Experiment { name: "energy", is_quick: false, run: energy::run },
+    Experiment { name: "display", is_quick: false, run: display::run },
     Experiment { name: "resolution", is_quick: false, run: resolution::run },
     Experiment { name: "ablation", is_quick: false, run: ablation::run },
 ];
