@@ -216,8 +216,8 @@ impl Options {
         let mut config = defaults.config;
         self.config.apply(&mut config)?;
         config.output_extent = self.output_size;
-        // A strip of several filters has no room for the views of each.
-        config.debug_view = !self.compare;
+        // A strip of several filters has no room for the views of each, and those of less light have its size.
+        config.debug_view = !self.compare && !self.half_light;
         if self.taa {
             config.post_process = PostProcess::ToneMapTaa;
         }

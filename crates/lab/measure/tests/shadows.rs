@@ -67,7 +67,7 @@ fn shadows_that_move_are_followed() {
     let Some(gpu) = Validated::new() else { return };
     let mut found = Vec::new();
     for scene in ["hall_railings", "hall_sun"] {
-        let extent = Extent2D { width: 640, height: 360 };
+        let extent = Extent2D { width: 320, height: 180 };
         let shadows = MovingShadows { scene, extent, frames: 16, reference_rays: 64, static_camera: true };
         let [without, with] = shadows.measure(&gpu.0).expect("frames");
         println!("{scene}: {without:.4?} without, {with:.4?} with");
