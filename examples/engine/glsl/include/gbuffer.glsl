@@ -87,19 +87,20 @@ Surface surface_of(Sight sight) { return surface_at(Visibility(sight.hit.instanc
 void write_sight(ivec2 pixel, vec2 position, vec3 ray, Sight sight, vec3 reflection) {
     Surface s = surface_of(sight);
     bool mirrored = frame.glass.x == GLASS_REFLECTION;
-    vec3 before = find_through_glass(frame.previous_camera, position, previous_position(sight.hit), mirrored, sight.meetings);
-    vec2 moved = before.xy - position;
-    // What stands still moves by exactly nothing.
-    moved = dot(moved, moved) < 1.0e-6 ? vec2(0.0) : moved;
+    float depth = (sight.distance + sight.hit.distance) / length(ray);
+    vec3 point = previous_position(sight.hit), before = vec3(position, depth);
+    // What stands still before a camera that does moves by exactly nothing.
+    if (point != s.position || frame.previous_camera != frame.camera)
+        before = find_through_glass(frame.previous_camera, position, point, mirrored, sight.meetings);
     vec3 albedo = whole_albedo(s, sight);
-    imageStore(depth_image, pixel, vec4((sight.distance + sight.hit.distance) / length(ray)));
+    imageStore(depth_image, pixel, vec4(depth));
     imageStore(normal_image, pixel, vec4(sight.turn * s.normal, 0.0));
     imageStore(object_normal_image, pixel, vec4(s.object_normal, 0.0));
     imageStore(albedo_image, pixel, vec4(albedo, s.roughness));
     imageStore(diffuse_albedo_image, pixel, vec4(albedo, 0.0));
     imageStore(specular_albedo_image, pixel, vec4(reflection, 0.0));
     imageStore(roughness_image, pixel, vec4(0.0));
-    imageStore(motion_image, pixel, vec4(moved, before.z, 0.0));
+    imageStore(motion_image, pixel, vec4(before.xy - position, before.z, 0.0));
     imageStore(surface_id_image, pixel, uvec4(s.surface_id + sight.id));
     imageStore(emission_image, pixel, vec4(s.emission * sight.weight, 1.0));
 }

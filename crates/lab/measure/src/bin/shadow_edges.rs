@@ -203,7 +203,7 @@ fn references(options: &Options, tracer: &mut PathTracer) -> Result<[Vec<[f32; 3
         return Ok([texels[..pixels].to_vec(), texels[pixels..].to_vec()]);
     }
     let radiance = tracer.render_reference(options.reference_spp, |_, _| ())?.radiance();
-    let seen = tracer.sun_reference(options.reference_spp)?.unwrap_or_default().iter().map(|v| [*v; 3]).collect();
+    let seen = tracer.lamp_reference(0, options.reference_spp)?.unwrap_or_default();
     let both = [radiance, seen];
     if let Some(file) = file {
         let problem = |e: std::io::Error| atrous_engine::Error::Folder { path: file.clone(), problem: e.to_string() };
