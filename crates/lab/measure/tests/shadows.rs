@@ -12,7 +12,7 @@ use atrous_measure::shadows::{ShadowEdges, ShadowGuides};
 fn the_parts_add_up_to_all_light() {
     let Some(gpu) = Validated::new() else { return };
     for name in ["hall", "leaves", "chapel"] {
-        let scene = built_in(name, SceneOptions { static_camera: true, ..SceneOptions::default() });
+        let scene = built_in(name, SceneOptions { static_camera: true, static_objects: true, static_light: true });
         let mut tracer = tracer(&gpu, &scene, TracerOptions { lamps_apart: true, ..TracerOptions::default() });
         let (mut parts, frames) = (0.0, 64);
         for frame in 0..frames {

@@ -132,7 +132,9 @@ void write_pixel(ivec2 pixel, vec2 position, vec3 ray) {
     uint limit = frame.glass.x == GLASS_ITSELF ? 0u : GLASS_LIMIT;
     Sight sight = follow(frame.camera.eye.xyz, direction, frame.glass.x == GLASS_REFLECTION, limit);
     Visibility visibility = Visibility(sight.hit.instance, sight.hit.triangle, sight.hit.barycentrics);
-    imageStore(visibility_image, pixel, uvec4(visibility.instance, visibility.triangle, floatBitsToUint(visibility.barycentrics)));
+    // Lamps and ambient occlusion that are apart are those of surfaces that the eye sees directly.
+    bool direct = sight.meetings == 0u && sight.hit.mask < MASK_PANE;
+    imageStore(visibility_image, pixel, uvec4(direct ? visibility.instance : NO_INSTANCE, visibility.triangle, floatBitsToUint(visibility.barycentrics)));
     if (frame.glass.x == GLASS_REFLECTION && sight.meetings == 0u) {
         write_background(pixel, ray);
         imageStore(emission_image, pixel, vec4(0.0, 0.0, 0.0, 1.0));

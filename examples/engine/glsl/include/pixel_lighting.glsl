@@ -49,7 +49,8 @@ PixelLighting light_pixel(ivec2 pixel, PixelSample pixel_sample, uint lamps_left
         if (!nothing) {
             Surface s = surface_at(Visibility(sight.hit.instance, sight.hit.triangle, sight.hit.barycentrics), sight.from);
             emitted = s.emission;
-            lighting = trace_path(s, sight.from, lamps_left_out, rng);
+            // What is seen through glass has no lamps apart.
+            lighting = trace_path(s, sight.from, glass ? 0u : lamps_left_out, rng);
             id = s.surface_id;
             end = s.position;
             if (!mirrored) {

@@ -149,7 +149,7 @@ fn report(size: [u32; 2], found: &[Vec<Errors>]) -> Findings {
             size[0], size[1]
         ),
         tables: PARTS.iter().enumerate().map(table).collect(),
-        claims: vec![claim(TWO, ITSELF, 0), claim(REPLACED, ITSELF, 3)],
+        claims: vec![claim(TWO, ITSELF, 0), claim(LAYERS, ITSELF, 0), claim(TWO, ITSELF, 3)],
         ..Findings::default()
     }
 }
