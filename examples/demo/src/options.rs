@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use atrous::config::{PostProcess, Preset};
 use atrous::{Choice, Tuning};
-use atrous_engine::{DenoiserOptions, Noise, SampleEye, SceneOptions, TracerOptions, FILTERS};
+use atrous_engine::{DenoiserOptions, GlassShown, Noise, Reflections, SampleEye, SceneOptions, TracerOptions, FILTERS};
 use atrous_measure::evaluate::EvaluateOptions;
 use atrous_options::{size, tunable, ConfigArgs};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -21,7 +21,7 @@ pub struct Options {
     /// Another thing to do
     #[command(subcommand)]
     pub command: Option<Command>,
-    /// Scenes: cornell, pillars, glossy, mirror, mirror_moving, hall, hall_railings, hall_sun, fog, leaves, lamps, tiles, door, or a glTF 2.0 file (.glb, .gltf); may be given several times. Default: cornell and pillars
+    /// Scenes: cornell, pillars, glossy, mirror, mirror_moving, hall, hall_railings, hall_sun, fog, leaves, lamps, tiles, door, chapel, vitrine, or a glTF 2.0 file (.glb, .gltf); may be given several times. Default: cornell and pillars
     #[arg(long = "scene")]
     pub scenes: Vec<String>,
     /// Width and height in pixels; default: 320x180, in a window on a device that is not software 1280x720
@@ -68,9 +68,21 @@ pub struct Options {
     /// Fog moves as the surfaces behind it, instead of having motion of its own: to compare
     #[arg(long)]
     pub surface_motion: bool,
-    /// One shadow ray to the sun apart from the path: its visibility is filtered by itself (scenes with a sun: hall, leaves)
+    /// One shadow ray to each of the first four lamps apart from the path: their visibility is filtered by itself (scenes with a sun or lamps: hall, leaves, chapel)
     #[arg(long)]
     pub visibility: bool,
+    /// One ray a pixel for ambient occlusion, which is filtered by itself and is no part of the picture
+    #[arg(long)]
+    pub ambient: bool,
+    /// Light of half of the columns and rows, beside guides of every pixel
+    #[arg(long, conflicts_with_all = ["window", "visibility", "ambient"])]
+    pub half_light: bool,
+    /// How reflections follow what moves in them, with specular light apart
+    #[arg(long, value_enum, default_value_t)]
+    pub reflections: Reflections,
+    /// What guides and signals have where glass is seen
+    #[arg(long, value_enum, default_value_t)]
+    pub glass: GlassShown,
     /// Lights keep their intensity
     #[arg(long)]
     pub static_light: bool,
@@ -179,7 +191,10 @@ impl Options {
         TracerOptions {
             jitter: self.taa || self.output_size.is_some(),
             seed: self.seed,
-            sun_apart: self.visibility,
+            lamps_apart: self.visibility,
+            ambient: self.ambient,
+            half_light: self.half_light,
+            glass: self.glass,
             noise: self.noise,
             ..TracerOptions::default()
         }
@@ -201,12 +216,19 @@ impl Options {
         let mut config = defaults.config;
         self.config.apply(&mut config)?;
         config.output_extent = self.output_size;
-        // A strip of several filters has no room for the views of each.
-        config.debug_view = !self.compare;
+        // A strip of several filters has no room for the views of each, and those of less light have its size.
+        config.debug_view = !self.compare && !self.half_light;
         if self.taa {
             config.post_process = PostProcess::ToneMapTaa;
         }
-        Ok(DenoiserOptions { config, volume_motion: !self.surface_motion, sample_eye: self.sample_eye, tuning, ..defaults })
+        Ok(DenoiserOptions {
+            config,
+            reflections: self.reflections,
+            volume_motion: !self.surface_motion,
+            sample_eye: self.sample_eye,
+            tuning,
+            ..defaults
+        })
     }
 
     fn set(&self, tuning: &mut Tuning) -> atrous_engine::Result<()> {

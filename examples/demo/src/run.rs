@@ -9,7 +9,7 @@ use atrous_engine::{FrameDenoiser, Gpu, PathTracer, Scene};
 use atrous_lab::pictures::Picture;
 use atrous_measure::measure::{Frame, Scores};
 use atrous_measure::running::{self, Running};
-use atrous_measure::{files, progress, report, volume};
+use atrous_measure::{apart, files, progress, report};
 
 use crate::capture;
 use crate::error::Result;
@@ -102,6 +102,7 @@ fn references(options: &Options, name: &str, tracer: &mut PathTracer, measured: 
         let before = i as u64 * u64::from(options.reference_spp);
         let reference = tracer.render_reference(options.reference_spp, |done, _| bar.set_position(before + u64::from(done)))?;
         frame.set_reference(reference);
+        frame.read_references_apart(tracer, options.reference_spp)?;
     }
     bar.finish();
     Ok(())
@@ -129,7 +130,7 @@ fn tables(
     if !scored.is_empty() {
         text += &score_tables(options, scene, &scored, contenders)?;
     }
-    text += &volumes(scene, measured, &names, folder)?;
+    text += &signals_apart(scene, measured, &names, folder)?;
     if let [only] = contenders {
         if let Some(means) = only.times.means() {
             text += &format!("{}\n\n", report::time_table(&means)?);
@@ -138,20 +139,24 @@ fn tables(
     Ok(text)
 }
 
-/// The same of the volume by itself, where the scene has one.
-fn volumes(scene: &str, measured: &[Frame], names: &[&str], folder: &Path) -> atrous_measure::Result<String> {
-    let mut errors: Vec<(u32, Vec<f64>)> = Vec::new();
-    for (frame, of_frame) in measured.iter().filter_map(|frame| Some((frame, frame.volume.as_ref()?))) {
-        let path = folder.join(format!("volume_{:04}.png", frame.index));
+/// The same of the volume, of shadows and of ambient occlusion by themselves, where the scene has them.
+fn signals_apart(scene: &str, measured: &[Frame], names: &[&str], folder: &Path) -> atrous_measure::Result<String> {
+    let mut text = String::new();
+    let mut errors: BTreeMap<&str, Vec<(u32, Vec<f64>)>> = BTreeMap::new();
+    for frame in measured {
         let composites: Vec<_> = frame.denoised.iter().map(|d| &d.radiance[..]).collect();
-        volume::write_strip(&path, &format!("{scene}, volume, frame {}", frame.index), of_frame, names, &composites)?;
-        errors.extend(of_frame.errors()?.map(|e| (frame.index, e)));
-    }
-    if errors.is_empty() {
-        return Ok(String::new());
+        for signal in frame.volume.iter().chain(&frame.shadows) {
+            let file = format!("{}_{:04}.png", signal.name.replace(' ', "_"), frame.index);
+            let title = format!("{scene}, {}, frame {}", signal.name, frame.index);
+            apart::write_strip(&folder.join(file), &title, signal, names, &composites)?;
+            errors.entry(&signal.name).or_default().extend(signal.errors()?.map(|e| (frame.index, e)));
+        }
     }
     let names: Vec<_> = ["noisy"].iter().chain(names).copied().collect();
-    Ok(format!("{}\n\n", volume::error_table(&names, &errors)?))
+    for (signal, errors) in errors.iter().filter(|(_, errors)| !errors.is_empty()) {
+        text += &format!("{}\n\n", apart::error_table(signal, &names, errors)?);
+    }
+    Ok(text)
 }
 
 fn score_tables(

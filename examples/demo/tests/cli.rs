@@ -115,3 +115,25 @@ fn what_is_wrong_is_named() {
     let message = refused(&mut demo(&["--device", "no such device", "--frames", "1"]));
     assert!(message.contains("no such device"), "{message}");
 }
+
+#[test]
+fn light_of_half_the_size_ambient_occlusion_and_lamps_run() {
+    let Some(_gpu) = Validated::new() else { return };
+    let out = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("cli_apart");
+    let _ = std::fs::remove_dir_all(&out);
+    let chapel = ["--scene", "chapel", "--size", "48x28", "--frames", "2", "--reference-spp", "4", "--validate", "--out"];
+    let run = |arguments: &[&str]| {
+        let Output { status, stdout, stderr } = demo(&chapel).arg(&out).args(arguments).output().expect("the demo starts");
+        assert!(status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&stderr));
+        String::from_utf8_lossy(&stdout).into_owned()
+    };
+    let text = run(&["--visibility", "--ambient"]);
+    for signal in ["visibility of lamp 0", "visibility of lamp 3", "ambient occlusion"] {
+        assert!(text.contains(&format!("RMSE of the {signal}")), "{signal}: {text}");
+        assert!(out.join(format!("chapel/{}_0001.png", signal.replace(' ', "_"))).is_file(), "{signal}");
+    }
+    assert!(run(&["--half-light"]).contains("chapel, best"));
+    let odd = ["--scene", "cornell", "--size", "47x27", "--half-light", "--out"];
+    assert!(refused(demo(&odd).arg(&out)).contains("exactly half"));
+    assert!(refused(demo(&chapel).arg(&out).args(["--half-light", "--ambient"])).contains("--ambient"));
+}

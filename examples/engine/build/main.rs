@@ -21,7 +21,7 @@ fn main() -> Result<(), String> {
 }
 
 /// Shaders that draw references.
-const OF_REFERENCES: [&str; 3] = ["gbuffer", "reference", "volume_reference"];
+const OF_REFERENCES: [&str; 5] = ["gbuffer", "gbuffer_glass", "reference", "reference_glass", "volume_reference"];
 
 /// Code of the path tracer that references do not depend on.
 const NOT_OF_REFERENCES: [&str; 1] = ["reshading.rs"];

@@ -3,11 +3,12 @@
 use ash::vk;
 use atrous::config::{Conventions, MotionDepth, MotionUnit, PostProcess, Preset, Signals};
 use atrous::executor::{Executor, ExecutorOptions, HostImage, PassTime};
-use atrous::{Config, DebugView, Declaration, FrameContext, FrameParams, Phase, ResetReason, Tuning, UseFrame};
+use atrous::{Config, DebugView, Declaration, FrameContext, FrameParams, Input, Phase, ResetReason, Tuning, UseFrame};
+use clap::ValueEnum;
 
 use crate::gpu::{Buffer, Gpu, Image, MemoryKind};
 use crate::tracer::barriers::general_barrier;
-use crate::tracer::{Reshading, SampleEye};
+use crate::tracer::{angular_radius, Reshading, SampleEye};
 use crate::{PathTracer, Result};
 
 /// The filters that the demo compares, in the order of strips, tables and menus. A-SVGF, which has lighting of its own, is not the last: then the
@@ -17,6 +18,18 @@ pub const FILTERS: [Preset; 6] = [Preset::Svgf, Preset::Asvgf, Preset::Percentil
 /// A graph for what a configuration says of the host.
 pub type GraphOfConfig = fn(&Config) -> std::result::Result<Declaration, atrous::Error>;
 
+/// How a denoiser follows what moves in reflections.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Reflections {
+    /// Not at all: only the eye and the surface move.
+    AtRest,
+    /// By the id of the thing that is reflected.
+    #[default]
+    Ids,
+    /// By its motion, which the engine tells.
+    Motion,
+}
+
 /// What the denoiser is asked for.
 #[derive(Clone, Copy, Debug)]
 pub struct DenoiserOptions {
@@ -24,12 +37,14 @@ pub struct DenoiserOptions {
     pub config: Config,
     /// Whether fog has motion of its own; else it moves as the surfaces behind it.
     pub volume_motion: bool,
-    /// Reflections follow the thing in them by its id; else only the eye and the surface.
-    pub hit_ids: bool,
+    /// It gets motion of each pixel and transforms of instances; else the camera's matrices alone.
+    pub motion: bool,
+    /// How reflections follow the thing in them.
+    pub reflections: Reflections,
     /// Shadows follow the thing that casts them by its id.
     pub occluder_ids: bool,
-    /// They follow the light, whose place is told.
-    pub light_place: bool,
+    /// They follow the lights, whose places are told.
+    pub light_places: bool,
     /// Per-frame numbers to start with.
     pub tuning: Tuning,
     /// The eye for which gradient samples are shaded. `None`: the current one, but where specular light is apart and no medium lies before
@@ -52,9 +67,10 @@ impl DenoiserOptions {
         Self {
             config: Config { preset, signals, post_process: PostProcess::ToneMap, ..Config::new([1; 2]) },
             volume_motion: true,
-            hit_ids: true,
+            motion: true,
+            reflections: Reflections::default(),
             occluder_ids: true,
-            light_place: true,
+            light_places: true,
             sample_eye: None,
             graph: None,
             tuning: Tuning::for_preset(preset),
@@ -73,12 +89,15 @@ impl DenoiserOptions {
     }
 
     fn config(&self, tracer: &PathTracer) -> Config {
-        let extent = tracer.extent();
+        let (extent, light) = (tracer.extent(), tracer.light_extent());
         Config {
             allocated_extent: [extent.width, extent.height],
             frames_in_flight: 1,
             volume: tracer.volume().is_some(),
-            visibility: u32::from(tracer.sun().is_some()),
+            visibility: tracer.lamps_apart().len() as u32,
+            coloured_visibility: !tracer.lamps_apart().is_empty() && tracer.scene().has_glass(),
+            ambient_occlusion: tracer.ambient().is_some(),
+            light_extent: (light != extent).then_some([light.width, light.height]),
             conventions: Conventions {
                 motion_unit: MotionUnit::Pixels,
                 motion_depth: MotionDepth::Absolute,
@@ -105,7 +124,7 @@ pub struct FrameDenoiser {
     gpu: Gpu,
     tuning: Tuning,
     reset: Option<ResetReason>,
-    light_place: bool,
+    light_places: bool,
     frame: Option<FrameContext>,
     /// What another denoiser writes, and this one reads.
     followed: Option<Image>,
@@ -120,9 +139,7 @@ impl FrameDenoiser {
         let config = options.config(tracer);
         let declaration = options.graph.map_or_else(|| config.declare(), |graph| graph(&config))?;
         let mut tuning = options.tuning;
-        if let Some(sun) = tracer.sun().filter(|_| tuning.light_radius == Tuning::default().light_radius) {
-            tuning.light_radius = sun.radius;
-        }
+        set_light_radii(&mut tuning, tracer)?;
         let wanted = ExecutorOptions {
             extra_image_usage: vk::ImageUsageFlags::TRANSFER_SRC,
             timestamps: gpu.timestamp_period().is_some(),
@@ -133,10 +150,13 @@ impl FrameDenoiser {
         for (name, image) in inputs(tracer, options) {
             executor.bind_image(name, host_image(image, vk::AccessFlags2::SHADER_STORAGE_WRITE))?;
         }
-        let transforms = tracer.previous_from_current();
-        let (stage, access) = (vk::PipelineStageFlags2::ALL_TRANSFER, vk::AccessFlags2::TRANSFER_WRITE);
-        executor.bind_buffer("instance_transforms", transforms.handle, transforms.size, stage, access)?;
-        let reshades = executor.denoiser().declaration().find("gradient_samples").is_some();
+        if options.motion {
+            let transforms = tracer.previous_from_current();
+            let (stage, access) = (vk::PipelineStageFlags2::ALL_TRANSFER, vk::AccessFlags2::TRANSFER_WRITE);
+            executor.bind_buffer("instance_transforms", transforms.handle, transforms.size, stage, access)?;
+        }
+        // What is seen through glass is no sample of one surface.
+        let reshades = executor.denoiser().declaration().find("gradient_samples").is_some() && !tracer.scene().has_glass();
         let reshading = if reshades { Some(tracer.reshading(config.stratum_size, options.sample_eye(tracer))?) } else { None };
         if let Some(reshading) = &reshading {
             let image = host_image(&reshading.gradient_samples, vk::AccessFlags2::SHADER_SAMPLED_READ);
@@ -149,7 +169,7 @@ impl FrameDenoiser {
             gpu: gpu.clone(),
             tuning,
             reset: None,
-            light_place: options.light_place,
+            light_places: options.light_places,
             frame: None,
             followed: None,
         })
@@ -181,7 +201,8 @@ impl FrameDenoiser {
             jitter: camera.jitter,
             reset: self.reset,
             reshaded: self.reshading.is_some(),
-            lights: [self.light_place.then(|| tracer.sun_place()).flatten().unwrap_or_default(), [0.0; 4], [0.0; 4], [0.0; 4]],
+            lights: if self.light_places { lights(tracer) } else { [[0.0; 4]; 4] },
+            light_offset: tracer.light_offset(),
             ..FrameParams::new([extent.width, extent.height])
         };
         let frame = self.executor.begin_frame(&params, &self.tuning)?;
@@ -330,14 +351,30 @@ impl FrameDenoiser {
     }
 }
 
+/// Distance from lamps near by for which shadows have the right width, scene units.
+const LAMP_DISTANCE: f32 = 3.0;
+
+/// Those of the lamps that are apart, where nobody chose others.
+fn set_light_radii(tuning: &mut Tuning, tracer: &PathTracer) -> Result<()> {
+    let names = ["light_radius", "light_radius_1", "light_radius_2", "light_radius_3"];
+    let default = Tuning::default();
+    for (name, lamp) in names.into_iter().zip(&tracer.scene().lamps).take(tracer.lamps_apart().len()) {
+        if tuning.get(name) == default.get(name) {
+            tuning.set(name, angular_radius(lamp, LAMP_DISTANCE))?;
+        }
+    }
+    Ok(())
+}
+
+fn lights(tracer: &PathTracer) -> [[f32; 4]; 4] {
+    let places = tracer.lamp_places();
+    std::array::from_fn(|i| places.get(i).copied().unwrap_or_default())
+}
+
 fn inputs<'a>(tracer: &'a PathTracer, options: &DenoiserOptions) -> Vec<(&'static str, &'a Image)> {
     let outputs = tracer.outputs();
-    let mut inputs = vec![
-        ("depth", &outputs.depth),
-        ("normal", &outputs.normal),
-        ("motion", &outputs.motion),
-        ("surface_id", &outputs.surface_id),
-    ];
+    let mut inputs = vec![("depth", &outputs.depth), ("normal", &outputs.normal), ("surface_id", &outputs.surface_id)];
+    inputs.extend(options.motion.then_some(("motion", &outputs.motion)));
     // Another denoiser's picture has it already.
     if options.config.preset != Preset::Stabilize {
         inputs.push(("emission", &outputs.emission));
@@ -355,18 +392,25 @@ fn inputs<'a>(tracer: &'a PathTracer, options: &DenoiserOptions) -> Vec<(&'stati
         ]),
         _ => inputs.push(("noisy_radiance", &outputs.scattered)),
     }
-    if options.config.signals == Signals::Specular && options.hit_ids {
-        inputs.push(("specular_hit_id", &outputs.hit_id));
+    if options.config.signals == Signals::Specular {
+        match options.reflections {
+            Reflections::AtRest => {}
+            Reflections::Ids => inputs.push(("specular_hit_id", &outputs.hit_id)),
+            Reflections::Motion => inputs.push(("specular_motion", &outputs.specular_motion)),
+        }
     }
     if let Some(volume) = tracer.volume() {
         inputs.push(("noisy_volume", &volume.noisy_volume));
         inputs.extend(options.volume_motion.then_some(("scattering_depth", &volume.scattering_depth)));
     }
-    if let Some(sun) = tracer.sun() {
-        inputs.push(("noisy_visibility", &sun.noisy_visibility));
-        inputs.push(("occluder_distance", &sun.occluder_distance));
-        inputs.push(("unshadowed_direct", &sun.unshadowed_direct));
-        inputs.extend(options.occluder_ids.then_some(("occluder_id", &sun.occluder_id)));
+    for (number, lamp) in tracer.lamps_apart().iter().enumerate() {
+        inputs.push((Input::NOISY_VISIBILITY[number].name, &lamp.noisy_visibility));
+        inputs.push((Input::OCCLUDER_DISTANCE[number].name, &lamp.occluder_distance));
+        inputs.push((Input::UNSHADOWED_DIRECT[number].name, &lamp.unshadowed_direct));
+        inputs.extend(options.occluder_ids.then_some((Input::OCCLUDER_ID[number].name, &lamp.occluder_id)));
+    }
+    if let Some(ambient) = tracer.ambient() {
+        inputs.extend([("noisy_ambient", &ambient.noisy_ambient), ("ambient_distance", &ambient.ambient_distance)]);
     }
     inputs
 }

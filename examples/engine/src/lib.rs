@@ -16,11 +16,14 @@ pub mod scene;
 pub mod testing;
 pub mod tracer;
 
-pub use denoiser::{DenoiserOptions, FrameDenoiser, FILTERS};
+pub use denoiser::{DenoiserOptions, FrameDenoiser, Reflections, FILTERS};
 pub use error::{Doing, Error, Result};
 pub use gpu::{Gpu, GpuOptions, Image};
 pub use scene::{Scene, SceneOptions};
-pub use tracer::{Camera, LightSampling, Noise, Outputs, PathTracer, Reference, Reshading, SampleEye, Sun, TracerOptions, Volume};
+pub use tracer::{
+    Ambient, Camera, GlassShown, LampApart, LightSampling, Noise, Outputs, PathTracer, Reference, Reshading, SampleEye,
+    TracerOptions, Volume,
+};
 
 /// A hash of everything that references depend on: what their shaders were compiled to, and the code that runs them.
 pub const REFERENCES: &str = env!("ATROUS_ENGINE_REFERENCES");

@@ -29,7 +29,7 @@ impl Sources {
             others: vec![OtherShaders { folder: folder.join("program/glsl"), built: atrous_engine::tracer::shaders::ALL }],
         };
         std::fs::create_dir_all(&folders.others[0].folder).expect("a folder");
-        std::fs::copy(built.engine.join("sun.comp"), folders.others[0].folder.join("sun.comp")).expect("a copy");
+        std::fs::copy(built.engine.join("lamp.comp"), folders.others[0].folder.join("lamp.comp")).expect("a copy");
         for (from, to) in [(&built.denoiser, &folders.denoiser), (&built.engine, &folders.engine)] {
             for part in ["", "include", "host"] {
                 copy(&from.join(part), &to.join(part));
@@ -122,9 +122,9 @@ fn an_include_is_compiled_with_all_that_include_it() {
 
     sources.edit("glsl/host/gradient_sample.glsl", "#ifndef", "\n#ifndef");
     assert!(sources.saved().iter().any(|r| r.file == "glsl/path_trace_reshaded.comp"), "the engine includes it");
-    sources.edit("program/glsl/sun.comp", "void main", "\nvoid main");
+    sources.edit("program/glsl/lamp.comp", "void main", "\nvoid main");
     let of_program = sources.saved_one();
-    assert_eq!(of_program.file, "glsl/sun.comp", "a program around the engine has shaders of its own");
+    assert_eq!(of_program.file, "glsl/lamp.comp", "a program around the engine has shaders of its own");
     assert_eq!(shaders(of_program).len(), 1);
 }
 

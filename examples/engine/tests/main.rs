@@ -3,6 +3,7 @@
 mod conventions;
 mod energy;
 mod frames;
+mod glass;
 mod gltf;
 mod gltf_hostile;
 #[cfg(feature = "hot-reload")]

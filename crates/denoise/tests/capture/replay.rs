@@ -3,7 +3,7 @@
 use super::support::{assert_valid, session, upload};
 use atrous::config::{AdaptiveRule, EawWeights, GradientSource, MotionDepth, MotionUnit, Preset, Sampling, Signals};
 use atrous::reference::InstanceTransform;
-use atrous::{Config, FrameParams, ResetReason, Tuning};
+use atrous::{Config, FrameParams, Input, ResetReason, Tuning};
 use atrous_denoise::backend::{Backend, Passes};
 use atrous_denoise::setup::{Options, Setup};
 use atrous_denoise::{frame, frame_files};
@@ -23,6 +23,9 @@ pub const TESTS: &[DeviceTest] = &[
     ("transforms_and_changing_tunables_are_replayed", transforms_and_changing_tunables_are_replayed),
     ("hit_ids_are_replayed", hit_ids_are_replayed),
     ("moving_shadows_are_replayed", moving_shadows_are_replayed),
+    ("four_coloured_lights_are_replayed", four_coloured_lights_are_replayed),
+    ("ambient_occlusion_is_replayed", ambient_occlusion_is_replayed),
+    ("the_motion_of_reflections_is_replayed", the_motion_of_reflections_is_replayed),
 ];
 
 const EXTENT: [u32; 2] = [48, 27];
@@ -350,4 +353,70 @@ fn moving_shadows_are_replayed() {
     for (folder, pictures) in folders.iter().zip(&pictures) {
         assert_same_bits(folder.path(), pictures);
     }
+}
+
+/// Numbers that depend on pixel, frame and salt, one in two 0.
+fn drawn(frame: u32, salt: u32) -> Vec<[f32; 4]> {
+    let number = |p: u32, channel: u32| random(p, 64 * frame + salt, channel);
+    (0..EXTENT[0] * EXTENT[1]).map(|p| [0, 1, 2, 3].map(|c| if number(p, 9) < 0.5 { 0.0 } else { number(p, c) })).collect()
+}
+
+/// Lights with shadows of each colour: what the frames give depends on the last one, and on colours.
+fn four_coloured_lights_are_replayed() {
+    let config = Config { visibility: 4, coloured_visibility: true, ..Config::new(EXTENT) };
+    let frames = |folder: &Path, config: &Config, lights: usize| {
+        let scene = Scene { speed: 0.05, ..Scene::new(EXTENT) };
+        capture(folder, config, &Tuning::default(), &scene, |i, inputs| {
+            for light in 0..lights {
+                let seen = drawn(i, 10 + light as u32);
+                let distance = seen.iter().map(|v| [if v[0] > 0.0 { 0.0 } else { 1.5 }, 0.0, 0.0, 0.0]).collect();
+                inputs.images.push((Input::NOISY_VISIBILITY[light].name, seen));
+                inputs.images.push((Input::OCCLUDER_DISTANCE[light].name, distance));
+                let unshadowed = vec![[0.2 + 0.1 * light as f32, 0.3, 0.1, 1.0]; inputs.guides.clean.len()];
+                inputs.images.push((Input::UNSHADOWED_DIRECT[light].name, unshadowed));
+                inputs.params.lights[light] = [0.1 * light as f32 + 0.01 * i as f32, 2.0, 0.5, 1.0];
+            }
+        })
+    };
+    let folders = [(); 3].map(|()| tempfile::tempdir().expect("a folder"));
+    let pictures = frames(folders[0].path(), &config, 4);
+    assert!(pictures != frames(folders[1].path(), &Config { visibility: 3, ..config }, 3), "the fourth light changes nothing");
+    assert!(pictures != frames(folders[2].path(), &Config { coloured_visibility: false, ..config }, 4), "colours change nothing");
+    let (setup, _) = assert_same_bits(folders[0].path(), &pictures);
+    assert_eq!((setup.config.visibility, setup.config.coloured_visibility), (4, true));
+}
+
+/// It is in no picture, so that its inputs are compared.
+fn ambient_occlusion_is_replayed() {
+    let config = Config { ambient_occlusion: true, ..Config::new(EXTENT) };
+    let folder = tempfile::tempdir().expect("a folder");
+    let inputs = [(Input::NOISY_AMBIENT.name, 20), (Input::AMBIENT_DISTANCE.name, 21)];
+    let scene = Scene { speed: 0.05, ..Scene::new(EXTENT) };
+    let pictures = capture(folder.path(), &config, &Tuning::default(), &scene, |i, own| {
+        own.images.extend(inputs.map(|(name, salt)| (name, drawn(i, salt))));
+    });
+    let (setup, frames) = assert_same_bits(folder.path(), &pictures);
+    assert!(setup.config.ambient_occlusion);
+    for (i, frame) in (0..).zip(&frames) {
+        for (name, salt) in inputs {
+            let given = drawn(i, salt).into_iter().map(|v| v[0]);
+            assert!(frame.images[name].iter().map(|v| v[0]).eq(given), "{name}, frame {i}");
+        }
+    }
+}
+
+/// A thing that moves in the surfaces, by its motion: what the frames give depends on it.
+fn the_motion_of_reflections_is_replayed() {
+    let config = Config { signals: Signals::Specular, ..Config::new(EXTENT) };
+    let frames = |folder: &Path, given: bool| {
+        let scene = Scene { speed: 0.05, ..Scene::new(EXTENT) };
+        capture(folder, &config, &Tuning::default(), &scene, |i, inputs| {
+            let motion = drawn(i, 30).into_iter().map(|[x, y, z, _]| [0.3 * x, 0.2 * y, -0.1 * z, 0.0]).collect();
+            inputs.images.extend(given.then_some((Input::SPECULAR_MOTION.name, motion)));
+        })
+    };
+    let [with, without] = [(); 2].map(|()| tempfile::tempdir().expect("a folder"));
+    let pictures = frames(with.path(), true);
+    assert!(pictures != frames(without.path(), false), "it changes nothing, so nothing was tested");
+    assert_replays(with.path(), &pictures);
 }

@@ -3,6 +3,7 @@
 
 #![forbid(unsafe_code)]
 
+pub mod apart;
 mod error;
 pub mod evaluate;
 pub mod files;
@@ -13,6 +14,5 @@ pub mod report;
 pub mod running;
 pub mod shadows;
 mod times;
-pub mod volume;
 
 pub use error::{Error, Result};

@@ -6,7 +6,7 @@ use atrous_lab::scores::{unbiased_rel_mse, unbiased_rmse, unbiased_ssim, unbiase
 
 use serde::{Deserialize, Serialize};
 
-use crate::volume::VolumeFrame;
+use crate::apart::Apart;
 use crate::Result;
 use atrous_engine::{FrameDenoiser, Gpu, PathTracer, Reference};
 
@@ -25,7 +25,9 @@ pub struct Frame {
     /// Two pictures with independent noise, whose mean is the reference: its noise is left out of errors then.
     pub halves: Option<[Vec<[f32; 3]>; 2]>,
     /// The part of it all that a medium scattered, where the scene has one.
-    pub volume: Option<VolumeFrame>,
+    pub volume: Option<Apart>,
+    /// Visibility of lamps and ambient occlusion, where they are apart.
+    pub shadows: Vec<Apart>,
     motion: Vec<[f32; 2]>,
     expected_previous_depth: Vec<f32>,
     depth: Vec<f32>,
@@ -65,13 +67,16 @@ pub struct Scores {
 
 impl Denoised {
     /// Surfaces, and with them the volume, which is noted down by itself as well.
-    fn read(denoiser: &mut FrameDenoiser, volume: Option<&mut VolumeFrame>) -> Result<Self> {
+    fn read(denoiser: &mut FrameDenoiser, volume: Option<&mut Apart>, shadows: &mut [Apart]) -> Result<Self> {
         let mut views = denoiser.executor().denoiser().declaration().debug_views();
         views.retain(|view| SHOWN.contains(view));
         let views = views.into_iter().map(|view| Ok((view, denoiser.view(view)?))).collect::<Result<_>>()?;
         let mut radiance = rgb(denoiser.read("denoised_radiance")?);
         if let Some(volume) = volume {
             add(&mut radiance, volume.read_denoised(denoiser)?);
+        }
+        for signal in shadows {
+            signal.read_denoised(denoiser)?;
         }
         Ok(Self { radiance, views })
     }
@@ -84,17 +89,17 @@ impl Frame {
     /// No memory, or a lost device.
     pub fn read<'a>(gpu: &Gpu, tracer: &PathTracer, denoisers: impl IntoIterator<Item = &'a mut FrameDenoiser>) -> Result<Self> {
         let outputs = tracer.outputs();
-        let (scattered, emission) = (gpu.read_image(&outputs.scattered)?, gpu.read_image(&outputs.emission)?);
+        let (scattered, emission) = (every_pixel(tracer, gpu.read_image(&outputs.scattered)?), gpu.read_image(&outputs.emission)?);
         let mut noisy = scattered.iter().zip(&emission).map(|(s, e)| [s[0] + e[0], s[1] + e[1], s[2] + e[2]]).collect::<Vec<_>>();
-        if let Some(sun) = tracer.sun() {
-            let (seen, light) = (gpu.read_image(&sun.noisy_visibility)?, gpu.read_image(&sun.unshadowed_direct)?);
-            add(&mut noisy, &seen.iter().zip(&light).map(|(v, l)| [v[0] * l[0], v[0] * l[1], v[0] * l[2]]).collect::<Vec<_>>());
+        for lamp in tracer.lamps_apart() {
+            let (seen, light) = (gpu.read_image(&lamp.noisy_visibility)?, gpu.read_image(&lamp.unshadowed_direct)?);
+            add(&mut noisy, &seen.iter().zip(&light).map(|(v, l)| [v[0] * l[0], v[1] * l[1], v[2] * l[2]]).collect::<Vec<_>>());
         }
-        let mut volume = VolumeFrame::read(gpu, tracer)?;
+        let (mut volume, mut shadows) = (Apart::volume(gpu, tracer)?, Apart::shadows(gpu, tracer)?);
         if let Some(volume) = &volume {
             add(&mut noisy, &volume.noisy);
         }
-        let denoised = denoisers.into_iter().map(|d| Denoised::read(d, volume.as_mut())).collect::<Result<_>>()?;
+        let denoised = denoisers.into_iter().map(|d| Denoised::read(d, volume.as_mut(), &mut shadows)).collect::<Result<_>>()?;
         let motion = gpu.read_image(&outputs.motion)?;
         Ok(Self {
             index: tracer.frame(),
@@ -104,6 +109,7 @@ impl Frame {
             reference: None,
             halves: None,
             volume,
+            shadows,
             motion: motion.iter().map(|m| [m[0], m[1]]).collect(),
             expected_previous_depth: motion.iter().map(|m| m[2]).collect(),
             depth: gpu.read_image(&outputs.depth)?.iter().map(|d| d[0]).collect(),
@@ -117,6 +123,22 @@ impl Frame {
         if let Some(volume) = &mut self.volume {
             volume.reference = reference.volume;
         }
+    }
+
+    /// Renders what shadows and ambient occlusion are measured against, by `samples` rays a pixel. The tracer's G-buffer is that of the frame.
+    ///
+    /// # Errors
+    /// No memory, or a lost device.
+    pub fn read_references_apart(&mut self, tracer: &PathTracer, samples: u32) -> Result<()> {
+        let lamps = tracer.lamps_apart().len();
+        for (number, signal) in (0u32..).zip(self.shadows.iter_mut().take(lamps)) {
+            signal.reference = tracer.lamp_reference(number, samples)?;
+        }
+        if tracer.ambient().is_some() {
+            let open = tracer.ambient_reference(samples)?.into_iter().map(|v| [v; 3]).collect();
+            self.shadows[lamps].reference = Some(open);
+        }
+        Ok(())
     }
 
     /// Keeps what the frame is measured against: two pictures with independent noise.
@@ -185,6 +207,16 @@ impl Frame {
     }
 }
 
+/// Light of fewer pixels, each shown in all pixels that it stands for.
+fn every_pixel(tracer: &PathTracer, light: Vec<[f32; 4]>) -> Vec<[f32; 4]> {
+    let (extent, from) = (tracer.extent(), tracer.light_extent());
+    if from == extent {
+        return light;
+    }
+    let pixels = (0..extent.height).flat_map(|y| (0..extent.width).map(move |x| (x, y)));
+    pixels.map(|(x, y)| light[(y * from.height / extent.height * from.width + x * from.width / extent.width) as usize]).collect()
+}
+
 fn add(sum: &mut [[f32; 3]], other: &[[f32; 3]]) {
     sum.iter_mut().zip(other).for_each(|(s, o)| (0..3).for_each(|c| s[c] += o[c]));
 }
@@ -238,6 +270,7 @@ mod tests {
             reference: None,
             halves: None,
             volume: None,
+            shadows: Vec::new(),
             motion: vec![[0.0; 2]; count],
             expected_previous_depth: vec![4.0; count],
             depth: vec![4.0; count],

@@ -47,10 +47,11 @@ impl MovingShadows<'_> {
     pub fn measure(&self, gpu: &Gpu) -> Result<[ShadowErrors; 2]> {
         let options = SceneOptions { static_camera: self.static_camera, ..SceneOptions::default() };
         let scene = Arc::new(Scene::load(self.scene, &options)?);
-        let mut tracer = PathTracer::new(gpu, &scene, self.extent, TracerOptions { sun_apart: true, ..TracerOptions::default() })?;
+        let mut tracer =
+            PathTracer::new(gpu, &scene, self.extent, TracerOptions { lamps_apart: true, ..TracerOptions::default() })?;
         // The passes of a visibility are the same beside every preset.
         let filter = |knows: bool| {
-            let options = DenoiserOptions { occluder_ids: knows, light_place: knows, ..DenoiserOptions::new(Preset::Eaw) };
+            let options = DenoiserOptions { occluder_ids: knows, light_places: knows, ..DenoiserOptions::new(Preset::Eaw) };
             FrameDenoiser::new(gpu, &tracer, &options)
         };
         let mut filters = [filter(false)?, filter(true)?];
@@ -62,7 +63,8 @@ impl MovingShadows<'_> {
                 filters.iter_mut().try_for_each(|filter| filter.record(cmd, &mut tracer))
             })?;
             if frame + LAGS as u32 >= self.frames {
-                references.extend(tracer.sun_reference(self.reference_rays)?);
+                let seen = tracer.lamp_reference(0, self.reference_rays)?;
+                references.extend(seen.map(|seen| seen.iter().map(|v| v[0]).collect::<Vec<_>>()));
             }
         }
         references.reverse();

@@ -46,17 +46,19 @@ struct Profile {
 }
 
 impl ShadowGuides {
-    /// Those of the tracer's frame, whose lighting was recorded with the sun apart; `samples` shadow rays a pixel.
+    /// Those of the tracer's frame, whose lighting was recorded with lamps apart, for the first; `samples` shadow rays a pixel.
     ///
     /// # Errors
-    /// No memory, or a lost device. Nothing without a sun.
+    /// No memory, or a lost device. Nothing without a lamp.
     pub fn read(gpu: &Gpu, tracer: &PathTracer, samples: u32) -> Result<Option<Self>> {
-        let (Some(sun), Some(visibility)) = (tracer.sun(), tracer.sun_reference(samples)?) else { return Ok(None) };
+        let (Some(lamp), Some(visibility)) = (tracer.lamps_apart().first(), tracer.lamp_reference(0, samples)?) else {
+            return Ok(None);
+        };
         let outputs = tracer.outputs();
         Ok(Some(Self {
             extent: [tracer.extent().width, tracer.extent().height],
-            visibility,
-            is_turned: gpu.read_image(&sun.unshadowed_direct)?.iter().map(|l| luminance([l[0], l[1], l[2]]) > 0.05).collect(),
+            visibility: visibility.iter().map(|v| v[0]).collect(),
+            is_turned: gpu.read_image(&lamp.unshadowed_direct)?.iter().map(|l| luminance([l[0], l[1], l[2]]) > 0.05).collect(),
             albedo: gpu.read_image(&outputs.albedo)?.iter().map(|a| luminance([a[0], a[1], a[2]]).max(0.01)).collect(),
             depth: gpu.read_image(&outputs.depth)?.iter().map(|d| d[0]).collect(),
             surface_id: gpu.read_image_u32(&outputs.surface_id)?,

@@ -13,6 +13,7 @@ struct Hit {
     uint instance;  // NO_INSTANCE: nothing was hit
     uint triangle;  // within the instance
     vec2 barycentrics;
+    uint mask;      // MASK_*
 };
 
 // Entry distance of the ray into a box, or a huge number when it misses. `limit` is the nearest hit so far.
@@ -27,7 +28,7 @@ float box_entry(vec3 lower, vec3 upper, vec3 origin_over_direction, vec3 inverse
     return entry <= leave * 1.000002 ? entry : 3.0e38;
 }
 
-// Distance along the ray, or a negative number for a miss. `mask`: not 0 where the triangle has holes.
+// Distance along the ray, or a negative number for a miss. `mask`: MASK_*.
 float triangle_distance(uint index, vec3 origin, vec3 direction, out vec2 barycentrics, out uint mask) {
     vec3 corner = fetch_floats(bvh_triangles, 3u * index).xyz;
     vec3 edge1 = fetch_floats(bvh_triangles, 3u * index + 1u).xyz;
@@ -70,9 +71,9 @@ vec3 safe_inverse(vec3 direction) {
 
 // Walks the tree depth first, without a stack: every node says where to go on when the ray misses its box. A stack in a shader is an array
 // with an index of its own in every lane, which software devices serve lane by lane.
-// `any_hit` is a literal at every call, so that the compiler makes two functions of this one.
-Hit traverse(vec3 origin, vec3 direction, float limit, bool any_hit) {
-    Hit hit = Hit(limit, NO_INSTANCE, 0u, vec2(0.0));
+// `any_hit` and `meets_glass` are literals at every call, so that the compiler makes a function for each.
+Hit traverse(vec3 origin, vec3 direction, float limit, bool any_hit, bool meets_glass) {
+    Hit hit = Hit(limit, NO_INSTANCE, 0u, vec2(0.0), 0u);
     vec3 inverse_direction = safe_inverse(direction);
     vec3 scaled_origin = origin * inverse_direction;
     uint best = 0xffffffffu;
@@ -90,9 +91,9 @@ Hit traverse(vec3 origin, vec3 direction, float limit, bool any_hit) {
             vec2 barycentrics;
             uint mask;
             float t = triangle_distance(i, origin, direction, barycentrics, mask);
-            bool meets = t > 0.0 && t < hit.distance;
+            bool meets = t > 0.0 && t < hit.distance && (meets_glass || mask < MASK_PANE);
             // A loop, since software devices skip one that no lane enters, and not a branch.
-            for (bool asks = meets && mask != 0u; asks; asks = false) meets = meets_leaf(i, barycentrics);
+            for (bool asks = meets && mask == MASK_LEAVES; asks; asks = false) meets = meets_leaf(i, barycentrics);
             if (meets) {
                 hit.distance = t;
                 hit.barycentrics = barycentrics;
@@ -104,12 +105,16 @@ Hit traverse(vec3 origin, vec3 direction, float limit, bool any_hit) {
     if (best != 0xffffffffu) {
         hit.instance = texelFetch(bvh_triangles, int(3u * best)).w;
         hit.triangle = texelFetch(bvh_triangles, int(3u * best + 1u)).w;
+        hit.mask = texelFetch(bvh_triangles, int(3u * best + 2u)).w;
     }
     return hit;
 }
 
-Hit closest_hit(vec3 origin, vec3 direction) { return traverse(origin, direction, 3.0e37, false); }
+// Rays pass through glass, but for these.
+Hit closest_hit_or_glass(vec3 origin, vec3 direction, float limit) { return traverse(origin, direction, limit, false, true); }
 
-bool occluded(vec3 origin, vec3 direction, float distance) { return traverse(origin, direction, distance, true).instance != NO_INSTANCE; }
+Hit closest_hit(vec3 origin, vec3 direction) { return traverse(origin, direction, 3.0e37, false, false); }
+
+bool occluded(vec3 origin, vec3 direction, float distance) { return traverse(origin, direction, distance, true, false).instance != NO_INSTANCE; }
 
 #endif

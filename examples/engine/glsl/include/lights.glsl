@@ -70,15 +70,19 @@ LightSample sample_sun(Light light, vec2 u) {
     return LightSample(direction, NOWHERE, light.radiance_material.rgb / light.edge2_probability.w, 0.0, 0u);
 }
 
-LightSample sample_point(Light light, vec3 from) {
-    vec3 offset = light.position_kind.xyz - from;
-    float distance2 = max(dot(offset, offset), 1.0e-6);
-    float distance = sqrt(distance2);
-    vec3 direction = offset / distance;
+// A disc that faces the surface; it shines as a point in its middle does.
+LightSample sample_point(Light light, vec3 from, vec2 u) {
+    vec3 middle = light.position_kind.xyz - from;
+    float distance2 = max(dot(middle, middle), 1.0e-6);
+    float r = sqrt(u.x) * light.edge2_probability.z;
+    float phi = 2.0 * PI * u.y;
+    vec3 direction = middle * inversesqrt(distance2);
+    vec3 offset = middle + basis(direction) * vec3(r * cos(phi), r * sin(phi), 0.0);
+    float distance = length(offset);
     vec2 cone = light.edge2_probability.xy;
     float spot = clamp((-dot(direction, light.edge1_cdf.xyz) - cone.y) / max(cone.x - cone.y, 1.0e-4), 0.0, 1.0);
     float falloff = cone.y <= -1.0 ? 1.0 : spot * spot;
-    return LightSample(direction, distance, light.radiance_material.rgb * (falloff / distance2 / light.edge2_probability.w), 0.0, 0u);
+    return LightSample(offset / max(distance, 1.0e-6), distance, light.radiance_material.rgb * (falloff / distance2 / light.edge2_probability.w), 0.0, 0u);
 }
 
 // Density in solid angle with which light sampling finds an emitter that a sampled direction has hit.
@@ -87,37 +91,70 @@ float emitter_density(Surface emitter, vec3 direction, float distance) {
     return emitter.emission_weight / frame.jitter_epsilon_weight.w * distance * distance / cosine;
 }
 
-// No light is left out.
-const uint NO_LIGHT = 0xffffffffu;
-
-// One light as it is seen without anything in the way. False: there is none, it faces away, or it is the one that is left out.
-bool sample_light(vec3 from, vec2 u, uint left_out, out LightSample found) {
+// One light as it is seen without anything in the way. False: there is none, it faces away, or it is one of the first lamps, which are left out.
+bool sample_light(vec3 from, vec2 u, uint lamps_left_out, out LightSample found) {
     if (frame.counts.x == 0u) return false;
     uint index = select_light(u.x);
-    if (index == left_out) return false;
+    if (index - frame.counts.z < lamps_left_out) return false;
     Light light = load_light(index);
     uint kind = floatBitsToUint(light.position_kind.w) & 3u;
     if (kind == LIGHT_TRIANGLE) found = sample_triangle(light, from, u);
     else if (kind == LIGHT_SUN) found = sample_sun(light, u);
-    else found = sample_point(light, from);
+    else found = sample_point(light, from, u);
     return found.distance > 0.0;
 }
 
+// What a shadow ray meets.
+struct Shadow {
+    vec3 tint;        // share of light that comes through, of each colour
+    float distance;   // of the thing that takes most of it, scene units; 0: nothing does
+    uint surface_id;  // of that thing
+};
+
+const uint PANES = 4u;
+
+// Panes colour light; it passes through bodies of glass as if they were not there.
+Shadow tinted_visibility(vec3 origin, vec3 direction, float distance) {
+    Shadow shadow = Shadow(vec3(1.0), 0.0, 0u);
+    float from = 0.0;
+    for (uint i = 0u; i <= PANES; i++) {
+        Hit hit = closest_hit_or_glass(origin + direction * from, direction, distance - from);
+        if (hit.instance == NO_INSTANCE) break;
+        from += hit.distance;
+        bool opaque = hit.mask < MASK_PANE || i == PANES;
+        if (opaque || (shadow.surface_id == 0u && hit.mask == MASK_PANE)) {
+            shadow.distance = from;
+            shadow.surface_id = hit.instance + 1u;
+        }
+        if (opaque) {
+            shadow.tint = vec3(0.0);
+            break;
+        }
+        if (hit.mask == MASK_PANE) shadow.tint *= load_material(load_instance(hit.instance).material).base_color;
+        from += frame.jitter_epsilon_weight.z;
+    }
+    return shadow;
+}
+
 // Reflected radiance from one sampled light, and what that is. `weighted`: sampled directions find area lights, too.
-Reflected next_event(Surface s, vec3 view, vec2 u, bool weighted, uint left_out, out Seen light) {
+Reflected next_event(Surface s, vec3 view, vec2 u, bool weighted, uint lamps_left_out, out Seen light) {
     const Reflected nothing = Reflected(vec3(0.0), vec3(0.0));
     vec3 origin = ray_origin(s);
     LightSample found;
     light = NOTHING_SEEN;
-    if (!sample_light(origin, u, left_out, found)) return nothing;
+    if (!sample_light(origin, u, lamps_left_out, found)) return nothing;
     light = Seen(found.distance, found.surface_id);
     float density;
     vec3 arriving = found.radiance * medium_transmittance(found.distance);
     Reflected reflected = scaled(evaluate_bsdf(s, view, found.direction, density), arriving);
     if (weighted && found.density > 0.0) reflected = scaled(reflected, vec3(found.density / (found.density + density)));
     if (max(reflected.all.r, max(reflected.all.g, reflected.all.b)) <= 0.0) return nothing;
+#ifdef GLASS
+    return scaled(reflected, tinted_visibility(origin, found.direction, found.distance * 0.9995).tint);
+#else
     if (occluded(origin, found.direction, found.distance * 0.9995)) return nothing;
     return reflected;
+#endif
 }
 
 #endif

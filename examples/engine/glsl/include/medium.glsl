@@ -34,7 +34,7 @@ Scattering scatter_once(vec2 pixel_position, float linear_depth, inout Rng rng) 
     Scattering result = Scattering(vec3(0.0), distance / unit);
     vec2 u = random2(rng);
     LightSample found;
-    if (!sample_light(position, u, NO_LIGHT, found)) return result;
+    if (!sample_light(position, u, 0u, found)) return result;
     vec3 weight = frame.medium_scattering.rgb * (opacity / extinction);
     // It comes along -direction and goes on along -ray.
     float cosine = dot(found.direction, ray) / unit;

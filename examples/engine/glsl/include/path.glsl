@@ -35,7 +35,7 @@ float hit_weight(Surface emitter, vec3 direction, float distance, float bsdf_den
 vec3 second_vertex(Surface s, vec3 view, inout Rng rng) {
     s.roughness = max(s.roughness, REGULARISED_ROUGHNESS);
     Seen unused;
-    vec3 radiance = next_event(s, view, random2(rng), false, NO_LIGHT, unused).all;
+    vec3 radiance = next_event(s, view, random2(rng), false, 0u, unused).all;
     vec2 u = random2(rng);
     if (frame.sky_zenith.a > 0.0) {
         Reflected weight;
@@ -47,15 +47,15 @@ vec3 second_vertex(Surface s, vec3 view, inout Rng rng) {
     return radiance;
 }
 
-// As it leaves the surface towards the eye, but for what one light gives it directly.
-Lighting surface_lighting(Surface s, vec3 eye, uint left_out, inout Rng rng) {
+// As it leaves the surface towards the eye, but for what the first lamps give it directly.
+Lighting surface_lighting(Surface s, vec3 eye, uint lamps_left_out, inout Rng rng) {
     Lighting result = Lighting(vec3(0.0), vec3(0.0), vec3(0.0), NOTHING_SEEN);
     vec3 view = normalize(eye - s.position);
     vec2 light_u = random2(rng);
     Seen light = NOTHING_SEEN;
     Reflected reflected = Reflected(vec3(0.0), vec3(0.0));
     if (frame.counts.y != LIGHT_SAMPLING_BSDF)
-        reflected = next_event(s, view, light_u, frame.counts.y == LIGHT_SAMPLING_MIS, left_out, light);
+        reflected = next_event(s, view, light_u, frame.counts.y == LIGHT_SAMPLING_MIS, lamps_left_out, light);
     result.direct = reflected.all;
     result.specular = reflected.specular;
     Reflected weight;
@@ -86,8 +86,8 @@ Lighting surface_lighting(Surface s, vec3 eye, uint left_out, inout Rng rng) {
 }
 
 // As it reaches the eye.
-Lighting trace_path(Surface s, vec3 eye, uint left_out, inout Rng rng) {
-    Lighting lighting = surface_lighting(s, eye, left_out, rng);
+Lighting trace_path(Surface s, vec3 eye, uint lamps_left_out, inout Rng rng) {
+    Lighting lighting = surface_lighting(s, eye, lamps_left_out, rng);
     float seen = medium_transmittance(distance(eye, s.position));
     return Lighting(lighting.direct * seen, lighting.indirect * seen, lighting.specular * seen, lighting.seen);
 }

@@ -10,8 +10,7 @@ layout(set = 1, binding = 1, r32ui) uniform readonly uimage2D seed_image;
 struct PixelSample {
     Visibility visibility;
     uint seed;
-    vec3 eye;       // from where the surface is seen
-    bool is_reused; // a sample of the previous frame
+    vec3 eye; // from where the surface is seen
 };
 
 Visibility unpack_visibility(uvec4 packed) { return Visibility(packed.x, packed.y, uintBitsToFloat(packed.zw)); }
@@ -20,8 +19,9 @@ Visibility fetch_visibility(ivec2 pixel) { return unpack_visibility(imageLoad(vi
 
 #ifndef RESHADE
 
-PixelSample fetch_pixel_sample(ivec2 pixel) {
-    return PixelSample(fetch_visibility(pixel), imageLoad(seed_image, pixel).r, frame.camera.eye.xyz, false);
+// `pixel`: of the light; `seen`: of the picture.
+PixelSample fetch_pixel_sample(ivec2 pixel, ivec2 seen) {
+    return PixelSample(fetch_visibility(seen), imageLoad(seed_image, seen).r, frame.camera.eye.xyz);
 }
 
 #else
@@ -43,19 +43,18 @@ layout(push_constant) uniform Push {
 #define ATROUS_STRATUM_SIZE push.stratum_size
 #include "gradient_sample.glsl"
 
-PixelSample fetch_pixel_sample(ivec2 pixel) {
-    uvec4 surface = imageLoad(visibility_image, pixel);
-    uvec4 seed = uvec4(imageLoad(seed_image, pixel).r, floatBitsToUint(frame.camera.eye.xyz));
+PixelSample fetch_pixel_sample(ivec2 pixel, ivec2 seen) {
+    uvec4 surface = imageLoad(visibility_image, seen);
+    uvec4 seed = uvec4(imageLoad(seed_image, seen).r, floatBitsToUint(frame.camera.eye.xyz));
     ivec2 previous_pixel;
-    bool is_reused = atrous_gradient_sample(pixel, previous_pixel);
-    if (is_reused) {
+    if (atrous_gradient_sample(pixel, previous_pixel)) {
         surface = texelFetch(previous_surfaces, previous_pixel, 0);
         uvec4 before = texelFetch(previous_seeds, previous_pixel, 0);
         seed = push.kept_eye != 0u ? before : uvec4(before.x, seed.yzw);
     }
     imageStore(surfaces, pixel, surface);
     imageStore(seeds, pixel, seed);
-    return PixelSample(unpack_visibility(surface), seed.x, uintBitsToFloat(seed.yzw), is_reused);
+    return PixelSample(unpack_visibility(surface), seed.x, uintBitsToFloat(seed.yzw));
 }
 
 #endif

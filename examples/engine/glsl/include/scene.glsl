@@ -9,6 +9,11 @@ const uint NO_INSTANCE = 0xffffffffu;
 const uint NO_TEXTURE = 0xffffffffu;
 const uint CHECKER_TEXTURE = 0xfffffffeu;
 
+// What a triangle is, beside a closed surface: it has holes, is a thin pane, or bounds a body of glass.
+const uint MASK_LEAVES = 1u;
+const uint MASK_PANE = 2u;
+const uint MASK_BODY = 3u;
+
 struct CameraFrame {
     vec4 eye;     // xyz: position
     vec4 right;   // xyz: unit right times tan(half horizontal field of view)
@@ -50,7 +55,7 @@ const uint LIGHT_POINT = 2u;
 struct Light {
     vec4 position_kind;      // triangle: first corner; sun: direction to it; point: position. w: kind, and the triangle from bit 2 on
     vec4 edge1_cdf;          // triangle: first edge; point: spot direction. w: upper bound in the cumulated distribution
-    vec4 edge2_probability;  // triangle: second edge; sun: x sine of its radius; point: xy cosines of the spot's cone. w: selection probability
+    vec4 edge2_probability;  // triangle: second edge; sun: x sine of its radius; point: xy cosines of the spot's cone, z radius. w: selection probability
     vec4 radiance_material;  // triangle: x: -1 when the instance is mirrored, y: surface_id; sun: irradiance; point: intensity. w: material index (triangle only)
 };
 
@@ -67,9 +72,11 @@ layout(set = 0, binding = 0, std430) readonly buffer FrameConstants {
     vec4 sky_zenith;            // rgb: radiance; a: 1 when the environment gives light
     vec4 sky_horizon;           // a: 1 when noise is blue
     vec4 sky_ground;
-    uvec4 counts;               // x: lights, y: how lights are sampled, z: index of the sun plus 1, 0 without one, w: 1 when the sun is apart
+    uvec4 counts;               // x: lights, y: how lights are sampled, z: index of the first lamp, w: lamps from there on that are apart
     vec4 medium;                // x: extinction, 1 / scene unit, 0 without a medium; y: mean cosine of the scattering angle
     vec4 medium_scattering;     // rgb: scattering coefficient, 1 / scene unit
+    uvec4 light;                // xy: pixels of the picture for each pixel of light, zw: which of them is traced
+    uvec4 glass;                // x: what guides and signals have of glass, GLASS_*
 } frame;
 // Texel buffers of four words, since they are read several times faster than storage buffers on a CPU device, and not
 // slower on a GPU. Unsigned, so that no driver takes packed integers for denormal floats.

@@ -55,6 +55,7 @@ pub fn material(source: &gltf::Material<'_>) -> Parsed<Material> {
         emission_texture: source.emissive_texture().map(|info| info.texture().source().index()),
         two_sided_emission: source.double_sided(),
         leaves: false,
+        glass: None,
     })
 }
 
@@ -124,10 +125,13 @@ pub fn lamp(light: &gltf::khr_lights_punctual::Light<'_>, world: Mat4) -> Lamp {
     let position = world.transform_point3(Vec3::ZERO);
     match light.kind() {
         Kind::Directional => Lamp::Sun { direction: -direction, irradiance: strength, radius: 0.005 },
-        Kind::Point => Lamp::Point { position, intensity: strength, spot: None },
-        Kind::Spot { inner_cone_angle, outer_cone_angle } => {
-            Lamp::Point { position, intensity: strength, spot: Some((direction, inner_cone_angle.cos(), outer_cone_angle.cos())) }
-        }
+        Kind::Point => Lamp::Point { position, radius: 0.0, intensity: strength, spot: None },
+        Kind::Spot { inner_cone_angle, outer_cone_angle } => Lamp::Point {
+            position,
+            radius: 0.0,
+            intensity: strength,
+            spot: Some((direction, inner_cone_angle.cos(), outer_cone_angle.cos())),
+        },
     }
 }
 

@@ -29,7 +29,7 @@ pub fn railings_moving() -> Scene {
 /// The sun swings from side to side.
 pub fn sun_moving() -> Scene {
     let mut scene = with_railings("hall_sun", || Placement::Fixed(Affine3A::IDENTITY));
-    scene.set_lamp_path(|time| Affine3A::from_rotation_y(0.3 * (TAU * 0.2 * time).sin()));
+    scene.set_lamp_path(0, |time| Affine3A::from_rotation_y(0.3 * (TAU * 0.2 * time).sin()));
     scene
 }
 

@@ -14,10 +14,12 @@ pub enum Lamp {
         /// Sine of the disc's angular radius.
         radius: f32,
     },
-    /// A point, or a spot.
+    /// A ball that shines as a point does, or a spot.
     Point {
         /// Where it is.
         position: Vec3,
+        /// What shadows see of it, scene units; 0: a point.
+        radius: f32,
         /// Radiant intensity.
         intensity: Vec3,
         /// Where a spot shines, and the cosines of its inner and outer angle.
@@ -26,11 +28,11 @@ pub enum Lamp {
 }
 
 impl Lamp {
-    /// Towards it, for a sun.
-    pub fn sun_direction(&self) -> Option<Vec3> {
+    /// Where it is, homogeneous: the direction towards a sun has w 0.
+    pub fn place(&self) -> [f32; 4] {
         match *self {
-            Self::Sun { direction, .. } => Some(direction),
-            Self::Point { .. } => None,
+            Self::Sun { direction, .. } => direction.extend(0.0).to_array(),
+            Self::Point { position, .. } => position.extend(1.0).to_array(),
         }
     }
 
@@ -40,9 +42,9 @@ impl Lamp {
             Self::Sun { direction, irradiance, radius } => {
                 Self::Sun { direction: by.transform_vector3(direction).normalize(), irradiance, radius }
             }
-            Self::Point { position, intensity, spot } => {
+            Self::Point { position, radius, intensity, spot } => {
                 let turned = |(axis, inner, outer)| (by.transform_vector3(axis).normalize(), inner, outer);
-                Self::Point { position: by.transform_point3(position), intensity, spot: spot.map(turned) }
+                Self::Point { position: by.transform_point3(position), radius, intensity, spot: spot.map(turned) }
             }
         }
     }

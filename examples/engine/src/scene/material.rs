@@ -18,6 +18,15 @@ pub enum Pattern {
     Texture(usize),
 }
 
+/// How light passes through a material.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Glass {
+    /// A thin sheet, which bends nothing.
+    Pane,
+    /// A closed body, which refracts.
+    Body,
+}
+
 /// A diffuse base under a dielectric coat, or metal, or a mix of the two.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
@@ -39,6 +48,9 @@ pub struct Material {
     pub two_sided_emission: bool,
     /// Sprays of leaves: what lies between them in the unit square of texture coordinates is not there.
     pub leaves: bool,
+    /// Clear glass, tinted by the base colour. Light that is scattered passes as if a body were not there, and is coloured by panes on its way from
+    /// lamps.
+    pub glass: Option<Glass>,
 }
 
 impl Material {
@@ -54,6 +66,7 @@ impl Material {
             emission_texture: None,
             two_sided_emission: false,
             leaves: false,
+            glass: None,
         }
     }
 
@@ -65,6 +78,11 @@ impl Material {
     /// Lambert under a GGX coat.
     pub fn plastic(base_color: Vec3, roughness: f32) -> Self {
         Self { roughness, specular: 0.04, ..Self::diffuse(base_color) }
+    }
+
+    /// Clear glass.
+    pub fn glass(kind: Glass, tint: Vec3) -> Self {
+        Self { glass: Some(kind), specular: 0.04, roughness: 0.0, ..Self::diffuse(tint) }
     }
 
     /// A lamp.

@@ -1,5 +1,6 @@
 //! Worlds to look at: meshes, materials, lights and a camera, all of them functions of the frame index.
 
+mod chapel;
 mod cornell;
 mod door;
 mod fog;
@@ -21,9 +22,10 @@ pub mod mirror_moving;
 mod pillars;
 mod shapes;
 mod tiles;
+pub mod vitrine;
 
 pub use lamp::{Environment, Lamp};
-pub use material::{Material, Pattern, Texture};
+pub use material::{Glass, Material, Pattern, Texture};
 pub use medium::Medium;
 pub use mesh::Mesh;
 
@@ -35,7 +37,7 @@ use crate::error::{Error, Result};
 pub const FRAMES_PER_SECOND: f32 = 30.0;
 
 /// The built-in scenes' names.
-pub const BUILT_IN: [&str; 13] = [
+pub const BUILT_IN: [&str; 15] = [
     "cornell",
     "pillars",
     "glossy",
@@ -49,6 +51,8 @@ pub const BUILT_IN: [&str; 13] = [
     "lamps",
     "tiles",
     "door",
+    "chapel",
+    "vitrine",
 ];
 
 /// Parts of the animation that stand still.
@@ -62,12 +66,15 @@ pub struct SceneOptions {
     pub static_objects: bool,
 }
 
+/// A movement as a function of time; must depend on nothing else.
+type Path = Box<dyn Fn(f32) -> Affine3A + Send + Sync>;
+
 /// Where a thing is at a time in seconds.
 pub enum Placement {
     /// It never moves.
     Fixed(Affine3A),
     /// `world_from_object` as a function of time; must depend on nothing else.
-    Animated(Box<dyn Fn(f32) -> Affine3A + Send + Sync>),
+    Animated(Path),
 }
 
 /// A mesh in the world. Its `surface_id` is its index plus one.
@@ -124,7 +131,7 @@ pub struct Scene {
     pub instances: Vec<Instance>,
     /// Lights that are not meshes.
     pub lamps: Vec<Lamp>,
-    lamp_path: Option<Box<dyn Fn(f32) -> Affine3A + Send + Sync>>,
+    lamp_paths: Vec<(usize, Path)>,
     /// Light from everywhere.
     pub environment: Environment,
     /// What lies between the surfaces, if anything.
@@ -145,7 +152,7 @@ impl Scene {
             textures: Vec::new(),
             instances: Vec::new(),
             lamps: Vec::new(),
-            lamp_path: None,
+            lamp_paths: Vec::new(),
             environment: Environment::default(),
             medium: None,
             camera: Box::new(move |_| view),
@@ -175,6 +182,8 @@ impl Scene {
             "lamps" => lamps::scene(),
             "tiles" => tiles::scene(),
             "door" => door::scene(),
+            "chapel" => chapel::scene(),
+            "vitrine" => vitrine::scene(),
             _ if lower.ends_with(".gltf") || lower.ends_with(".glb") => gltf_file::load(name.as_ref())?,
             _ => return Err(Error::UnknownScene { given: name.to_string() }),
         };
@@ -235,8 +244,11 @@ impl Scene {
 
     /// The lights that are not meshes at a time in seconds.
     pub fn lamps_at(&self, time: f32) -> Vec<Lamp> {
-        let path = self.lamp_path.as_ref().map(|path| path(time));
-        self.lamps.iter().map(|lamp| path.map_or(*lamp, |path| lamp.moved(&path))).collect()
+        let mut lamps = self.lamps.clone();
+        for (lamp, path) in &self.lamp_paths {
+            lamps[*lamp] = lamps[*lamp].moved(&path(time));
+        }
+        lamps
     }
 
     /// Whether the world looks alike at two moments: time may pass where nothing moves and no light changes.
@@ -253,9 +265,14 @@ impl Scene {
         self.camera = Box::new(path);
     }
 
-    /// Sets the path of the lights that are not meshes.
-    pub fn set_lamp_path(&mut self, path: impl Fn(f32) -> Affine3A + Send + Sync + 'static) {
-        self.lamp_path = Some(Box::new(path));
+    /// Sets the path of one of [`Self::lamps`].
+    pub fn set_lamp_path(&mut self, lamp: usize, path: impl Fn(f32) -> Affine3A + Send + Sync + 'static) {
+        self.lamp_paths.push((lamp, Box::new(path)));
+    }
+
+    /// Whether light passes through some of it.
+    pub fn has_glass(&self) -> bool {
+        self.materials.iter().any(|material| material.glass.is_some())
     }
 
     /// Sets the lights' intensity over the frames.

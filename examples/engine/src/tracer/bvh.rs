@@ -7,13 +7,13 @@ use obvhs::triangle::Triangle;
 use obvhs::BvhBuildParams;
 
 use crate::error::{Error, Result};
-use crate::scene::Scene;
+use crate::scene::{Glass, Material, Scene};
 
 /// Nodes of two `vec4` and triangles of three, in the order of the leaves.
 pub struct Bvh {
     /// Depth first. Lower corner, and the node after the subtree; upper corner, and in leaves the first triangle and the number of triangles.
     pub nodes: Vec<[f32; 8]>,
-    /// First corner and instance, first edge and triangle of the instance's mesh, second edge and whether it has holes.
+    /// First corner and instance, first edge and triangle of the instance's mesh, second edge and what it is beside a closed surface.
     pub triangles: Vec<[f32; 12]>,
     /// Length of the diagonal of everything, in scene units.
     pub diagonal: f32,
@@ -33,11 +33,7 @@ pub fn build(scene: &Scene, transforms: &[Affine3A], moving: bool) -> Result<Bvh
         let world: Vec<_> = mesh.positions.iter().map(|p| transform.transform_point3a((*p).into())).collect();
         for (number, [a, b, c]) in mesh.triangles.iter().enumerate() {
             triangles.push(Triangle { v0: world[*a as usize], v1: world[*b as usize], v2: world[*c as usize] });
-            names.push(Name {
-                instance: index as u32,
-                number: number as u32,
-                mask: scene.materials[instance.material].leaves.into(),
-            });
+            names.push(Name { instance: index as u32, number: number as u32, mask: mask(&scene.materials[instance.material]) });
         }
     }
     if triangles.is_empty() {
@@ -90,7 +86,16 @@ fn depth_first(tree: &Bvh2) -> Vec<[f32; 8]> {
     nodes
 }
 
-/// What a triangle is called, and 1 where it has holes.
+/// As the shaders' `MASK_*`.
+fn mask(material: &Material) -> u32 {
+    match material.glass {
+        Some(Glass::Pane) => 2,
+        Some(Glass::Body) => 3,
+        None => material.leaves.into(),
+    }
+}
+
+/// What a triangle is called, and what it is.
 #[derive(Clone, Copy)]
 struct Name {
     instance: u32,

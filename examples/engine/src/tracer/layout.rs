@@ -35,6 +35,8 @@ pub struct FrameConstants {
     pub counts: [u32; 4],
     pub medium: [f32; 4],
     pub medium_scattering: [f32; 4],
+    pub light: [u32; 4],
+    pub glass: [u32; 4],
 }
 
 #[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]

@@ -18,8 +18,8 @@ const KIND_POINT: u32 = 2;
 pub struct Lights {
     pub data: Vec<LightData>,
     pub total_weight: f32,
-    /// Number of the first sun, counted from 1; 0: there is none.
-    pub sun: u32,
+    /// Index of the first lamp: all behind it are lamps in the order of the scene.
+    pub first_lamp: u32,
 }
 
 /// The materials, with what they emit at a frame.
@@ -50,7 +50,6 @@ pub fn lights(scene: &Scene, transforms: &[Affine3A], first_triangles: &[u32], n
     let (materials, scale) = (materials(scene, now.light_frame), scene.light_scale(now.light_frame));
     let mut data = Vec::new();
     let mut weights = Vec::new();
-    let mut sun = 0;
     for ((instance, transform), id) in scene.instances.iter().zip(transforms).zip(1u32..) {
         let material = &materials[instance.material];
         let weight = material.emission_weight[3].abs();
@@ -81,18 +80,15 @@ pub fn lights(scene: &Scene, transforms: &[Affine3A], first_triangles: &[u32], n
             });
         }
     }
+    let first_lamp = data.len() as u32;
     for lamp in scene.lamps_at(now.object_time) {
         let (light, weight) = lamp_data(&lamp, scale, diagonal);
-        if weight > 0.0 {
-            data.push(light);
-            weights.push(weight);
-            if sun == 0 && matches!(lamp, Lamp::Sun { .. }) {
-                sun = data.len() as u32;
-            }
-        }
+        data.push(light);
+        // One without light is still one of them.
+        weights.push(weight.max(1.0e-20));
     }
     let total_weight = fill_distribution(&mut data, &weights);
-    Lights { data, total_weight, sun }
+    Lights { data, total_weight, first_lamp }
 }
 
 fn lamp_data(lamp: &Lamp, scale: f32, diagonal: f32) -> (LightData, f32) {
@@ -106,12 +102,12 @@ fn lamp_data(lamp: &Lamp, scale: f32, diagonal: f32) -> (LightData, f32) {
             };
             (light, luminance(irradiance) * 0.25 * PI * diagonal * diagonal)
         }
-        Lamp::Point { position, intensity, spot } => {
+        Lamp::Point { position, radius, intensity, spot } => {
             let (direction, inner, outer) = spot.unwrap_or((Vec3::NEG_Y, 1.0, -1.0));
             let light = LightData {
                 position_kind: with(position, f32::from_bits(KIND_POINT)),
                 edge1_cdf: with(direction, 0.0),
-                edge2_probability: [inner, outer, 0.0, 0.0],
+                edge2_probability: [inner, outer, radius, 0.0],
                 radiance_material: with(intensity * scale, 0.0),
             };
             (light, luminance(intensity) * 4.0 * PI)

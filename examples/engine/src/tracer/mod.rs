@@ -1,22 +1,24 @@
 //! The path tracer: visibility, lighting, and the ground truth.
 
+mod ambient;
 pub mod barriers;
 mod bvh;
 mod camera;
+mod lamps;
 mod layout;
 mod lights;
 mod outputs;
 mod reference;
 mod reshading;
 mod scene_buffers;
-mod sun;
 mod volume;
 
+pub use ambient::{Ambient, AMBIENT_REACH};
 pub use camera::Camera;
+pub use lamps::{angular_radius, LampApart, LampsApart, LAMPS_APART};
 pub use outputs::Outputs;
 pub use reference::{Reference, ReferenceSums};
 pub use reshading::{Reshading, SampleEye};
-pub use sun::Sun;
 pub use volume::Volume;
 
 use std::sync::Arc;
@@ -61,6 +63,20 @@ pub enum Noise {
     Blue,
 }
 
+/// What guides and signals have where glass is seen. The picture is the same.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum GlassShown {
+    /// The glass itself: all light that it lets pass or reflects is specular.
+    Itself,
+    /// What is seen through it; its reflection is specular light, and all else diffuse.
+    #[default]
+    Layers,
+    /// What is seen through it, without its reflection.
+    Through,
+    /// Its reflection, and what is seen there; all else is background, and black.
+    Reflection,
+}
+
 /// What the path tracer does differently from its default.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct TracerOptions {
@@ -70,8 +86,15 @@ pub struct TracerOptions {
     pub seed: u32,
     /// How area lights are found.
     pub light_sampling: LightSampling,
-    /// The first sun of the scene has images of its own, and what it gives surfaces that the eye sees is in no other (default false).
-    pub sun_apart: bool,
+    /// The first lamps of the scene, [`LAMPS_APART`] at most, have images of their own, and what they give surfaces that the eye sees is in no
+    /// other (default false).
+    pub lamps_apart: bool,
+    /// Ambient occlusion has images of its own (default false).
+    pub ambient: bool,
+    /// Light of half of the columns and rows, another pixel of 2x2 in each frame (default false).
+    pub half_light: bool,
+    /// What guides and signals have of glass.
+    pub glass: GlassShown,
     /// How noise is distributed over the picture.
     pub noise: Noise,
 }
@@ -97,7 +120,8 @@ pub struct PathTracer {
     volume: Option<Volume>,
     /// Whether the outputs hold the lighting of the frame whose G-buffer was drawn last.
     is_lit: bool,
-    sun: Option<Sun>,
+    lamps: Option<LampsApart>,
+    ambient: Option<Ambient>,
 }
 
 impl PathTracer {
@@ -106,19 +130,23 @@ impl PathTracer {
     /// # Errors
     /// An extent of zero or beyond the device's limit, a scene beyond a fixed limit, or no memory.
     pub fn new(gpu: &Gpu, scene: &Arc<Scene>, extent: vk::Extent2D, options: TracerOptions) -> Result<Self> {
-        let outputs = Outputs::new(gpu, extent)?;
+        let outputs = Outputs::new(gpu, extent, light_extent(extent, options))?;
+        let (gbuffer, lighting) = match scene.has_glass() {
+            true => (&shaders::GBUFFER_GLASS, &shaders::PATH_TRACE_GLASS),
+            false => (&shaders::GBUFFER, &shaders::PATH_TRACE),
+        };
         let buffers = SceneBuffers::new(gpu, scene)?;
         let bound = buffers.bindings();
         let kinds = bound.map(Bound::kind);
         let scene_layout = SetLayout::new(gpu, &kinds)?;
-        let gbuffer_layout = SetLayout::new(gpu, &storage_images(11))?;
+        let gbuffer_layout = SetLayout::new(gpu, &storage_images(12))?;
         let lighting_layout = SetLayout::new(gpu, &storage_images(LIT_IMAGES))?;
         let mut tracer = Self {
             scene_set: DescriptorSet::of_buffers(gpu, &scene_layout, &bound)?,
             gbuffer_set: DescriptorSet::of_images(gpu, &gbuffer_layout, &outputs.gbuffer().map(|image| image.view))?,
             lighting_set: DescriptorSet::of_images(gpu, &lighting_layout, &lit_images(&outputs).map(|image| image.view))?,
-            gbuffer: Pipeline::new(gpu, &shaders::GBUFFER, &[&scene_layout, &gbuffer_layout], 0)?,
-            lighting: Pipeline::new(gpu, &shaders::PATH_TRACE, &[&scene_layout, &lighting_layout], 0)?,
+            gbuffer: Pipeline::new(gpu, gbuffer, &[&scene_layout, &gbuffer_layout], 0)?,
+            lighting: Pipeline::new(gpu, lighting, &[&scene_layout, &lighting_layout], 0)?,
             gpu: gpu.clone(),
             scene: scene.clone(),
             extent,
@@ -127,7 +155,8 @@ impl PathTracer {
             view: scene.view(0),
             lamp_time: 0.0,
             buffers,
-            sun: if options.sun_apart { Sun::new(gpu, scene, &scene_layout, &outputs)? } else { None },
+            lamps: if options.lamps_apart { LampsApart::new(gpu, scene, &scene_layout, &outputs)? } else { None },
+            ambient: options.ambient.then(|| Ambient::new(gpu, &scene_layout, &outputs)).transpose()?,
             volume: scene.medium.map(|_| Volume::new(gpu, &scene_layout, &outputs)).transpose()?,
             is_lit: false,
             outputs,
@@ -169,9 +198,11 @@ impl PathTracer {
             sky_zenith: layout::with(zenith, f32::from(u8::from(lit))),
             sky_horizon: layout::with(horizon, f32::from(u8::from(self.options.noise == Noise::Blue))),
             sky_ground: layout::with(ground, 0.0),
-            counts: [state.light_count, self.options.light_sampling as u32, state.sun, u32::from(self.sun.is_some())],
+            counts: [state.light_count, self.options.light_sampling as u32, state.first_lamp, self.lamps_apart().len() as u32],
             medium: self.scene.medium.map_or([0.0; 4], |m| [m.extinction, m.anisotropy, 0.0, 0.0]),
             medium_scattering: self.scene.medium.map_or([0.0; 4], |m| layout::with(m.scattering, 0.0)),
+            light: [self.light_ratio(), self.light_ratio(), self.light_offset()[0], self.light_offset()[1]],
+            glass: [self.options.glass as u32, 0, 0, 0],
         };
         self.buffers.set_constants(&constants);
         Ok(())
@@ -184,8 +215,9 @@ impl PathTracer {
     #[cfg(feature = "hot-reload")]
     pub fn replace_shader(&mut self, shader: &crate::hot_reload::Compiled) -> Result<bool> {
         let volume = self.volume.as_mut().map(|volume| &mut volume.pipeline);
-        let sun = self.sun.as_mut().map(|sun| &mut sun.pipeline);
-        for pipeline in [&mut self.gbuffer, &mut self.lighting].into_iter().chain(volume).chain(sun) {
+        let lamps = self.lamps.as_mut().map(|lamps| &mut lamps.pipeline);
+        let ambient = self.ambient.as_mut().map(|ambient| &mut ambient.pipeline);
+        for pipeline in [&mut self.gbuffer, &mut self.lighting].into_iter().chain(volume).chain(lamps).chain(ambient) {
             if pipeline.replace(shader)? {
                 return Ok(true);
             }
@@ -216,15 +248,20 @@ impl PathTracer {
             return;
         }
         self.prepare_lighting(cmd);
-        self.lighting.record(cmd, &[&self.scene_set, &self.lighting_set], &[], self.extent);
+        self.lighting.record(cmd, &[&self.scene_set, &self.lighting_set], &[], self.light_extent());
         self.record_apart(cmd);
     }
 
-    /// What has images of its own: the sun and the volume.
+    /// What has images of its own: lamps, ambient occlusion and the volume.
     fn record_apart(&self, cmd: vk::CommandBuffer) {
-        if let Some(sun) = &self.sun {
-            general_barrier(self.gpu.device(), cmd, &sun.images());
-            sun.pipeline.record(cmd, &[&self.scene_set, &sun.set], &[], self.extent);
+        if let Some(lamps) = &self.lamps {
+            general_barrier(self.gpu.device(), cmd, &lamps.images());
+            lamps.record(cmd, &self.scene_set, self.extent);
+        }
+        if let Some(ambient) = &self.ambient {
+            general_barrier(self.gpu.device(), cmd, &[&ambient.noisy_ambient, &ambient.ambient_distance]);
+            let reach = AMBIENT_REACH.to_ne_bytes();
+            ambient.pipeline.record(cmd, &[&self.scene_set, &ambient.set], &reach, self.extent);
         }
         if let Some(volume) = &self.volume {
             general_barrier(self.gpu.device(), cmd, &[&volume.noisy_volume, &volume.scattering_depth]);
@@ -250,15 +287,36 @@ impl PathTracer {
         self.volume.as_ref()
     }
 
-    /// The sun, where the scene has one and [`TracerOptions::sun_apart`] asks for it; written by every lighting pass.
-    pub fn sun(&self) -> Option<&Sun> {
-        self.sun.as_ref()
+    /// The lamps that [`TracerOptions::lamps_apart`] asks for; written by every lighting pass.
+    pub fn lamps_apart(&self) -> &[LampApart] {
+        self.lamps.as_ref().map_or(&[], |apart| &apart.lamps)
     }
 
-    /// Where the sun stands: its direction, homogeneous; `None` where it is not apart.
-    pub fn sun_place(&self) -> Option<[f32; 4]> {
-        let lamps = self.scene.lamps_at(self.lamp_time);
-        self.sun.as_ref().and_then(|_| lamps.iter().find_map(Lamp::sun_direction)).map(|direction| layout::with(direction, 0.0))
+    /// Where these lamps are, homogeneous: the direction towards a sun has w 0.
+    pub fn lamp_places(&self) -> Vec<[f32; 4]> {
+        self.scene.lamps_at(self.lamp_time).iter().take(self.lamps_apart().len()).map(Lamp::place).collect()
+    }
+
+    /// Ambient occlusion, where [`TracerOptions::ambient`] asks for it; written by every lighting pass.
+    pub fn ambient(&self) -> Option<&Ambient> {
+        self.ambient.as_ref()
+    }
+
+    /// Size of the images of light.
+    pub fn light_extent(&self) -> vk::Extent2D {
+        light_extent(self.extent, self.options)
+    }
+
+    /// The pixel of the picture that light is traced for in this frame, beyond the first of each block.
+    pub fn light_offset(&self) -> [u32; 2] {
+        match self.options.half_light {
+            true => [[0, 0], [1, 1], [1, 0], [0, 1]][self.frame as usize % 4],
+            false => [0; 2],
+        }
+    }
+
+    fn light_ratio(&self) -> u32 {
+        1 + u32::from(self.options.half_light)
     }
 
     /// For each `surface_id` three rows of the map from world space now to world space in the previous frame (entry 0:
@@ -293,6 +351,11 @@ impl PathTracer {
         &self.scene
     }
 
+    /// Whether primary rays move within their pixels from frame to frame.
+    pub fn jitters(&self) -> bool {
+        self.options.jitter
+    }
+
     fn jitter(&self, frame: u32) -> [f32; 2] {
         if self.options.jitter {
             camera::halton_jitter(frame)
@@ -302,10 +365,16 @@ impl PathTracer {
     }
 }
 
+/// Half of the columns and rows, rounded down, where light has half of them.
+fn light_extent(extent: vk::Extent2D, options: TracerOptions) -> vk::Extent2D {
+    let ratio = 1 + u32::from(options.half_light);
+    vk::Extent2D { width: extent.width / ratio, height: extent.height / ratio }
+}
+
 const LIT_IMAGES: usize = 10;
 
 /// What the lighting pass reads and writes, in the order of its bindings.
 fn lit_images(outputs: &Outputs) -> [&Image; LIT_IMAGES] {
-    let [direct, indirect, emission, scattered, diffuse, specular, hit_distance, hit_id] = outputs.lighting();
-    [&outputs.visibility, &outputs.seed, direct, indirect, emission, scattered, diffuse, specular, hit_distance, hit_id]
+    let [direct, indirect, scattered, diffuse, specular, hit_distance, hit_id, motion] = outputs.lighting();
+    [&outputs.visibility, &outputs.seed, direct, indirect, scattered, diffuse, specular, hit_distance, hit_id, motion]
 }

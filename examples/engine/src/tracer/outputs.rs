@@ -5,7 +5,7 @@ use ash::vk;
 use crate::error::Result;
 use crate::gpu::{Gpu, Image};
 
-/// Everything that the passes write. All images are in layout `GENERAL` once the first frame was recorded, last
+/// Everything that the passes write. Light has fewer pixels with [`super::TracerOptions::half_light`]. All images are in layout `GENERAL` once the first frame was recorded, last
 /// written at stage `COMPUTE_SHADER` with access `SHADER_WRITE` (in synchronization2: `SHADER_STORAGE_WRITE`).
 /// The next frame's passes wait for all earlier commands of the queue and then overwrite every texel.
 pub struct Outputs {
@@ -36,7 +36,7 @@ pub struct Outputs {
     pub direct: Image,
     /// `R32G32B32A32_SFLOAT`: radiance of light that was scattered twice. a: 1.
     pub indirect: Image,
-    /// `R32G32B32A32_SFLOAT`: emitters and environment seen directly, without noise. a: 1.
+    /// `R32G32B32A32_SFLOAT`: emitters and environment seen directly, without noise. a: 1. Of the visibility pass.
     pub emission: Image,
     /// `R32G32B32A32_SFLOAT`: direct plus indirect, for a denoiser that filters them together. a: 1.
     pub scattered: Image,
@@ -48,11 +48,15 @@ pub struct Outputs {
     pub hit_distance: Image,
     /// `R32_UINT`: `surface_id` of the thing that is seen in the surface; 0: none, beyond the scene, or a light without a mesh.
     pub hit_id: Image,
+    /// `R32G32B32A32_SFLOAT`: previous minus current place of that thing, world space. a: 0.
+    pub specular_motion: Image,
 }
 
 impl Outputs {
-    pub(super) fn new(gpu: &Gpu, extent: vk::Extent2D) -> Result<Self> {
+    /// `light`: of the images that the lighting pass writes.
+    pub(super) fn new(gpu: &Gpu, extent: vk::Extent2D, light: vk::Extent2D) -> Result<Self> {
         let image = |name, format| Image::new(gpu, name, format, extent);
+        let lit = |name, format| Image::new(gpu, name, format, light);
         Ok(Self {
             visibility: image("visibility", vk::Format::R32G32B32A32_UINT)?,
             seed: image("seed", vk::Format::R32_UINT)?,
@@ -65,19 +69,20 @@ impl Outputs {
             roughness: image("roughness", vk::Format::R32_SFLOAT)?,
             motion: image("motion", vk::Format::R32G32B32A32_SFLOAT)?,
             surface_id: image("surface_id", vk::Format::R32_UINT)?,
-            direct: image("direct", vk::Format::R32G32B32A32_SFLOAT)?,
-            indirect: image("indirect", vk::Format::R32G32B32A32_SFLOAT)?,
+            direct: lit("direct", vk::Format::R32G32B32A32_SFLOAT)?,
+            indirect: lit("indirect", vk::Format::R32G32B32A32_SFLOAT)?,
             emission: image("emission", vk::Format::R32G32B32A32_SFLOAT)?,
-            scattered: image("scattered", vk::Format::R32G32B32A32_SFLOAT)?,
-            diffuse: image("diffuse", vk::Format::R32G32B32A32_SFLOAT)?,
-            specular: image("specular", vk::Format::R32G32B32A32_SFLOAT)?,
-            hit_distance: image("hit_distance", vk::Format::R32_SFLOAT)?,
-            hit_id: image("hit_id", vk::Format::R32_UINT)?,
+            scattered: lit("scattered", vk::Format::R32G32B32A32_SFLOAT)?,
+            diffuse: lit("diffuse", vk::Format::R32G32B32A32_SFLOAT)?,
+            specular: lit("specular", vk::Format::R32G32B32A32_SFLOAT)?,
+            hit_distance: lit("hit_distance", vk::Format::R32_SFLOAT)?,
+            hit_id: lit("hit_id", vk::Format::R32_UINT)?,
+            specular_motion: lit("specular_motion", vk::Format::R32G32B32A32_SFLOAT)?,
         })
     }
 
     /// What the visibility pass writes, in the order of its bindings.
-    pub fn gbuffer(&self) -> [&Image; 11] {
+    pub fn gbuffer(&self) -> [&Image; 12] {
         [
             &self.visibility,
             &self.seed,
@@ -90,6 +95,7 @@ impl Outputs {
             &self.diffuse_albedo,
             &self.specular_albedo,
             &self.roughness,
+            &self.emission,
         ]
     }
 
@@ -98,12 +104,12 @@ impl Outputs {
         [
             &self.direct,
             &self.indirect,
-            &self.emission,
             &self.scattered,
             &self.diffuse,
             &self.specular,
             &self.hit_distance,
             &self.hit_id,
+            &self.specular_motion,
         ]
     }
 }

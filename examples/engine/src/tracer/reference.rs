@@ -8,10 +8,9 @@ use std::time::{Duration, Instant};
 use ash::vk;
 
 use super::barriers::{general_barrier, memory_barrier};
-use super::{shaders, PathTracer};
+use super::{shaders, PathTracer, AMBIENT_REACH};
 use crate::error::{Error, Result};
 use crate::gpu::{storage_images, DescriptorSet, Gpu, Image, Pipeline, SetLayout, Shader, WHOLE_IMAGE};
-use crate::scene::Lamp;
 
 /// A submit should take about this long: short enough for a driver's watchdog, long enough to waste nothing.
 const SUBMIT_TIME: Duration = Duration::from_millis(300);
@@ -50,6 +49,7 @@ pub struct ReferenceSums<const N: usize> {
     batch: u32,
     set: DescriptorSet,
     pipeline: Pipeline,
+    constants: Vec<u8>,
 }
 
 impl<const N: usize> ReferenceSums<N> {
@@ -90,7 +90,7 @@ impl<const N: usize> ReferenceSums<N> {
             let (written, used) = (vk::AccessFlags::MEMORY_WRITE, vk::AccessFlags::SHADER_READ | vk::AccessFlags::SHADER_WRITE);
             for _ in 0..count {
                 memory_barrier(gpu.device(), cmd, (vk::PipelineStageFlags::ALL_COMMANDS, written), (compute, used));
-                self.pipeline.record(cmd, &[&tracer.scene_set, &self.set], &[], tracer.extent);
+                self.pipeline.record(cmd, &[&tracer.scene_set, &self.set], &self.constants, tracer.extent);
             }
             Ok(())
         })?;
@@ -127,7 +127,8 @@ impl PathTracer {
     /// # Errors
     /// No memory.
     pub fn reference_sums(&self) -> Result<ReferenceSums<2>> {
-        self.sums(["direct_sum", "indirect_sum"], [&self.outputs.visibility, &self.outputs.seed], &shaders::REFERENCE)
+        let shader = if self.scene.has_glass() { &shaders::REFERENCE_GLASS } else { &shaders::REFERENCE };
+        self.sums(["direct_sum", "indirect_sum"], [&self.outputs.visibility, &self.outputs.seed], shader, &[])
     }
 
     /// The same of light that the medium scattered, where there is one.
@@ -138,25 +139,37 @@ impl PathTracer {
         if self.volume.is_none() {
             return Ok(None);
         }
-        self.sums(["volume_sum"], [&self.outputs.seed, &self.outputs.depth], &shaders::VOLUME_REFERENCE).map(Some)
+        self.sums(["volume_sum"], [&self.outputs.seed, &self.outputs.depth], &shaders::VOLUME_REFERENCE, &[]).map(Some)
     }
 
-    /// Share of the sun that each pixel of the current frame sees: the mean of `samples` shadow rays. Nothing for a scene without a sun. The
-    /// visibility pass of the frame has run.
+    /// Share of a lamp that each pixel of the current frame sees, by colour: the mean of `samples` shadow rays. Nothing for a lamp that the scene does
+    /// not have. The visibility pass of the frame has run.
     ///
     /// # Errors
     /// No memory, or a lost device.
-    pub fn sun_reference(&self, samples: u32) -> Result<Option<Vec<f32>>> {
-        let has_sun = self.scene.lamps.iter().any(|lamp| matches!(lamp, Lamp::Sun { .. }));
-        if !has_sun || samples == 0 {
+    pub fn lamp_reference(&self, lamp: u32, samples: u32) -> Result<Option<Vec<[f32; 3]>>> {
+        if lamp as usize >= self.scene.lamps.len() || samples == 0 {
             return Ok(None);
         }
-        let mut sums = self.sums(["sun_sum"], [&self.outputs.visibility, &self.outputs.seed], &shaders::SUN_REFERENCE)?;
+        self.apart("lamp_sum", &shaders::LAMP_REFERENCE, &lamp.to_ne_bytes(), samples).map(Some)
+    }
+
+    /// Ambient occlusion of each pixel of the current frame: the mean of `samples` rays. The visibility pass of the frame has run.
+    ///
+    /// # Errors
+    /// No memory, or a lost device.
+    pub fn ambient_reference(&self, samples: u32) -> Result<Vec<f32>> {
+        let open = self.apart("ambient_sum", &shaders::AMBIENT_REFERENCE, &AMBIENT_REACH.to_ne_bytes(), samples.max(1))?;
+        Ok(open.into_iter().map(|[v, ..]| v).collect())
+    }
+
+    fn apart(&self, name: &'static str, shader: &'static Shader, constants: &[u8], samples: u32) -> Result<Vec<[f32; 3]>> {
+        let mut sums = self.sums([name], [&self.outputs.visibility, &self.outputs.seed], shader, constants)?;
         while sums.samples < samples {
             sums.add(self, SUBMIT_TIME, samples)?;
         }
-        let [seen] = sums.means(&self.gpu)?;
-        Ok(Some(seen.into_iter().map(|[v, ..]| v).collect()))
+        let [means] = sums.means(&self.gpu)?;
+        Ok(means)
     }
 
     fn sums<const N: usize>(
@@ -164,6 +177,7 @@ impl PathTracer {
         names: [&'static str; N],
         read: [&Image; 2],
         shader: &'static Shader,
+        constants: &[u8],
     ) -> Result<ReferenceSums<N>> {
         let gpu = &self.gpu;
         let sum = |name| Image::new(gpu, name, vk::Format::R32G32B32A32_SFLOAT, self.extent);
@@ -171,14 +185,14 @@ impl PathTracer {
         let images: Vec<_> = read.into_iter().chain(&sums).map(|image| image.view).collect();
         let layout = SetLayout::new(gpu, &storage_images(images.len()))?;
         let set = DescriptorSet::of_images(gpu, &layout, &images)?;
-        let pipeline = Pipeline::new(gpu, shader, &[&self.scene_layout, &layout], 0)?;
+        let pipeline = Pipeline::new(gpu, shader, &[&self.scene_layout, &layout], constants.len() as u32)?;
         gpu.submit(|cmd| {
             general_barrier(gpu.device(), cmd, &sums.iter().collect::<Vec<_>>());
             Ok(())
         })?;
         let mut sums = sums.into_iter();
         let sums = std::array::from_fn(|_| sums.next().expect("an image for each name"));
-        Ok(ReferenceSums { sums, samples: 0, batch: 1, set, pipeline })
+        Ok(ReferenceSums { sums, samples: 0, batch: 1, set, pipeline, constants: constants.to_vec() })
     }
 
     /// Renders `samples` paths for each pixel of the current frame, and calls `progress(done, samples)` now and then.

@@ -52,7 +52,7 @@ impl PathTracer {
     /// # Errors
     /// No memory.
     pub fn reshading(&self, stratum_size: u32, eye: SampleEye) -> Result<Reshading> {
-        let (gpu, extent) = (&self.gpu, self.extent);
+        let (gpu, extent) = (&self.gpu, self.light_extent());
         let strata = vk::Extent2D { width: extent.width.div_ceil(stratum_size), height: extent.height.div_ceil(stratum_size) };
         let gradient_samples = Image::new(gpu, "gradient_samples", vk::Format::R16G16B16A16_UINT, strata)?;
         let image = |name| Image::new(gpu, name, vk::Format::R32G32B32A32_UINT, extent);
@@ -90,7 +90,7 @@ impl PathTracer {
         general_barrier(self.gpu.device(), cmd, &reshading.samples[reshading.newest].each_ref());
         let sets = [&self.scene_set, &reshading.sets[reshading.newest]];
         let constants = [reshading.stratum_size, u32::from(reshading.eye == SampleEye::Kept)];
-        reshading.pipeline.record(cmd, &sets, bytemuck::bytes_of(&constants), self.extent);
+        reshading.pipeline.record(cmd, &sets, bytemuck::bytes_of(&constants), self.light_extent());
         self.record_apart(cmd);
     }
 }

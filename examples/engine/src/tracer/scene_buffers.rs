@@ -30,8 +30,8 @@ pub struct SceneBuffers {
 /// What the frame's constants need of the lights and of the tree.
 pub struct SceneState {
     pub light_count: u32,
-    /// Number of the first sun, counted from 1; 0: there is none.
-    pub sun: u32,
+    /// Index of the first lamp.
+    pub first_lamp: u32,
     pub total_weight: f32,
     pub diagonal: f32,
 }
@@ -95,7 +95,7 @@ impl SceneBuffers {
         self.write_transforms(scene, &transforms, &previous);
         Ok(SceneState {
             light_count: lights.data.len() as u32,
-            sun: lights.sun,
+            first_lamp: lights.first_lamp,
             total_weight: lights.total_weight,
             diagonal: self.diagonal,
         })

@@ -58,9 +58,9 @@ struct Setup {
 }
 
 impl Setup {
-    fn new(gpu: &Gpu, scene: &Arc<Scene>, options: &Options, sun_apart: bool) -> Result<Self> {
+    fn new(gpu: &Gpu, scene: &Arc<Scene>, options: &Options, lamps_apart: bool) -> Result<Self> {
         let extent = Extent2D { width: options.width, height: options.width * 9 / 16 };
-        let tracer = PathTracer::new(gpu, scene, extent, TracerOptions { sun_apart, ..TracerOptions::default() })?;
+        let tracer = PathTracer::new(gpu, scene, extent, TracerOptions { lamps_apart, ..TracerOptions::default() })?;
         let denoisers = PRESETS
             .map(|preset| {
                 let mut tuning = Tuning::for_preset(preset);
@@ -81,7 +81,7 @@ impl Setup {
             self.denoisers.iter_mut().try_for_each(|d| d.record(cmd, &mut self.tracer))
         })?;
         if is_measured {
-            if let (Some(_), Some(first)) = (self.tracer.sun(), self.denoisers.first_mut()) {
+            if let (Some(_), Some(first)) = (self.tracer.lamps_apart().first(), self.denoisers.first_mut()) {
                 self.visibility.push(first.read("denoised_visibility")?.iter().map(|v| v[0]).collect());
             }
             self.frames.push(Frame::read(gpu, &self.tracer, &mut self.denoisers)?);
@@ -149,7 +149,7 @@ fn measure(gpu: &Gpu, options: &Options, setups: &mut [Setup; 2], i: usize, rows
     let [reference, visibility] = references(options, tracer)?;
     let Some(mut guides) = ShadowGuides::read(gpu, tracer, 1)? else { return Ok(()) };
     guides.visibility = visibility.iter().map(|v| v[0]).collect();
-    let light = tracer.sun().map_or(Ok(Vec::new()), |sun| gpu.read_image(&sun.unshadowed_direct))?;
+    let light = tracer.lamps_apart().first().map_or(Ok(Vec::new()), |lamp| gpu.read_image(&lamp.unshadowed_direct))?;
     let seen: Vec<_> = guides.visibility.iter().map(|v| [*v; 3]).collect();
     let edges = ShadowEdges::new(guides);
     rows.profiles += edges.profiles();
@@ -203,7 +203,7 @@ fn references(options: &Options, tracer: &mut PathTracer) -> Result<[Vec<[f32; 3
         return Ok([texels[..pixels].to_vec(), texels[pixels..].to_vec()]);
     }
     let radiance = tracer.render_reference(options.reference_spp, |_, _| ())?.radiance();
-    let seen = tracer.sun_reference(options.reference_spp)?.unwrap_or_default().iter().map(|v| [*v; 3]).collect();
+    let seen = tracer.lamp_reference(0, options.reference_spp)?.unwrap_or_default();
     let both = [radiance, seen];
     if let Some(file) = file {
         let problem = |e: std::io::Error| atrous_engine::Error::Folder { path: file.clone(), problem: e.to_string() };

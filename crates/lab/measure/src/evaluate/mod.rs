@@ -72,7 +72,7 @@ fn of_scene(lab: &Lab, scene: &Arc<Scene>, out: &Path) -> Result<SceneResult> {
     let mut rows = scene::measure(lab, scene, TracerOptions::default(), &of_all, &folder)?;
     let of_sun = settings.wanted(contenders::of_sun());
     if scene.lamps.iter().any(|lamp| matches!(lamp, Lamp::Sun { .. })) && !of_sun.is_empty() {
-        let options = TracerOptions { sun_apart: true, ..TracerOptions::default() };
+        let options = TracerOptions { lamps_apart: true, ..TracerOptions::default() };
         // Noise is the same, but for that of the sun.
         rows.extend(scene::measure(lab, scene, options, &of_sun, &folder)?.into_iter().skip(1));
     }

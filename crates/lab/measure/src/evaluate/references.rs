@@ -16,6 +16,9 @@ use crate::files::write;
 /// In the seed of the second half of a reference: no frame has it.
 const OTHER_HALF: u32 = 1 << 31;
 
+/// Positions in the pixel of a reference of display size: all of the tracer's sequence.
+const JITTERS: u32 = 16;
+
 /// References in a folder, which exists.
 pub struct References {
     folder: PathBuf,
@@ -48,10 +51,25 @@ impl References {
         self.rendered(tracer, scene, frame, seed, 2 * self.samples)
     }
 
+    /// The mean over the pixel, in two halves with independent noise. The tracer jitters.
+    ///
+    /// # Errors
+    /// As [`Self::of_frame`].
+    pub fn of_display(&self, tracer: &mut PathTracer, scene: &Scene, frame: u32) -> Result<[Vec<[f32; 3]>; 2]> {
+        let samples = self.samples.div_ceil(2 * JITTERS);
+        let mut half = |other: u32| -> Result<Vec<[f32; 3]>> {
+            // Seeds are frames, so that each has another jitter.
+            let parts = (0..JITTERS).map(|position| self.rendered(tracer, scene, frame, position | other, samples));
+            Ok(mean(&parts.collect::<Result<Vec<_>>>()?))
+        };
+        Ok([half(0)?, half(OTHER_HALF)?])
+    }
+
     fn rendered(&self, tracer: &mut PathTracer, scene: &Scene, frame: u32, seed: u32, samples: u32) -> Result<Vec<[f32; 3]>> {
         let [width, height] = [tracer.extent().width, tracer.extent().height].map(|side| side as usize);
         let content = content(scene, frame);
-        let name = format!("{}_{frame:04}_{seed:04}_{width}x{height}_{samples}_{content:016x}.exr", scene.name);
+        let jitter = if tracer.jitters() { "_jittered" } else { "" };
+        let name = format!("{}_{frame:04}_{seed:04}_{width}x{height}_{samples}_{content:016x}{jitter}.exr", scene.name);
         let path = self.folder.join(name);
         // A file that cannot be read, or is of another size, is rendered again: it was cut off, or is not ours.
         if let Some(kept) = read(&path).filter(|kept| kept.len() == width * height) {
@@ -89,6 +107,11 @@ pub fn content(scene: &Scene, frame: u32) -> u64 {
     // Numbers print with all their digits.
     let _ = write!(text, "{:?} {things:?} {light:?}", moment.view);
     text.0.finish()
+}
+
+fn mean(parts: &[Vec<[f32; 3]>]) -> Vec<[f32; 3]> {
+    let pixel = |i: usize| [0, 1, 2].map(|c| parts.iter().map(|part| part[i][c]).sum::<f32>() / parts.len() as f32);
+    (0..parts.first().map_or(0, Vec::len)).map(pixel).collect()
 }
 
 fn read(path: &PathBuf) -> Option<Vec<[f32; 3]>> {

@@ -176,7 +176,7 @@ mod tests {
         let table = found.tables[0].table().expect("a table").to_string();
         let line = table.lines().find(|line| line.contains("| other ")).expect("a row");
         let figures: Vec<_> = line.split('|').map(str::trim).collect();
-        assert_eq!(&figures[2..6], ["1.446", "0.800", "1.500", "1.446"], "{table}");
+        assert_eq!(&figures[2..6], ["1.453", "0.800", "1.500", "1.453"], "{table}");
         assert_eq!(figures[8], "-0.1000", "{table}");
     }
 }

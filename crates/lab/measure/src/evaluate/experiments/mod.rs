@@ -1,13 +1,16 @@
 //! Experiments beside the tables of scenes: counterparts of figures of the papers, and what presets have to reach.
 
 mod ablation;
+mod display;
 mod eaw;
 mod energy;
 mod findings;
 mod flicker;
 mod ghost;
+mod glass;
 mod other;
 mod reflection;
+mod regions;
 mod resolution;
 mod sparse;
 mod still;
@@ -40,10 +43,11 @@ pub struct Experiment {
 }
 
 /// All of them, in the order of the report.
-pub const ALL: [Experiment; 12] = [
+pub const ALL: [Experiment; 14] = [
     Experiment { name: "flicker", is_quick: true, run: flicker::run },
     Experiment { name: "ghost", is_quick: false, run: ghost::run },
     Experiment { name: "reflection", is_quick: false, run: reflection::run },
+    Experiment { name: "glass", is_quick: false, run: glass::run },
     Experiment { name: "still", is_quick: false, run: still::run },
     Experiment { name: "variance", is_quick: true, run: variance::run },
     Experiment { name: "strata", is_quick: false, run: strata::run },
@@ -51,6 +55,7 @@ pub const ALL: [Experiment; 12] = [
     Experiment { name: "eaw", is_quick: false, run: eaw::run },
     Experiment { name: "sparse", is_quick: false, run: sparse::run },
     Experiment { name: "energy", is_quick: false, run: energy::run },
+    Experiment { name: "display", is_quick: false, run: display::run },
     Experiment { name: "resolution", is_quick: false, run: resolution::run },
     Experiment { name: "ablation", is_quick: false, run: ablation::run },
 ];

@@ -3,13 +3,12 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use crate::measure::Frame;
 use crate::Result;
 use atrous_engine::scene::mirror_moving::{MIRROR, MOVERS};
-use atrous_engine::{DenoiserOptions, Scene, SceneOptions, TracerOptions};
+use atrous_engine::{DenoiserOptions, Reflections, Scene, SceneOptions, TracerOptions};
 use atrous_lab::pictures::Picture;
-use atrous_lab::scores::{flip_map, unbiased_rel_mse, unbiased_rmse, Rgb};
 
+use super::regions::{errors, Errors};
 use super::{Figures, Findings};
 use crate::evaluate::claims::Claim;
 use crate::evaluate::contenders::{Contender, BEST, NOISY};
@@ -19,16 +18,10 @@ use crate::running;
 const SCENE: &str = "mirror_moving";
 /// Name of the filter that gets no hit ids.
 const WITHOUT: &str = "best, no hit ids";
+/// Name of the filter that gets the motion of what is hit instead.
+const MOTION: &str = "best, motion of the hit";
 /// Frames up to the measured one in which a pixel of the mirror shows a thing that moves, or it does not count.
 const TRAIL: usize = 8;
-
-/// Errors of the pixels that count.
-#[derive(Clone, Copy)]
-struct Errors {
-    rmse: f64,
-    rel_mse: f64,
-    flip: f64,
-}
 
 pub fn run(lab: &Lab, folder: &Path) -> Result<Findings> {
     let moving = measure(lab, true, folder)?;
@@ -36,10 +29,10 @@ pub fn run(lab: &Lab, folder: &Path) -> Result<Findings> {
     Ok(report(lab.settings.size, &moving, &resting))
 }
 
-fn filters() -> [Contender; 2] {
+fn filters() -> [Contender; 3] {
     let best = Contender::new(BEST, Default::default());
-    let without = Contender { name: WITHOUT, options: DenoiserOptions { hit_ids: false, ..best.options }, over: None };
-    [best, without]
+    let other = |name, reflections| Contender { name, options: DenoiserOptions { reflections, ..best.options }, over: None };
+    [other(BEST, Reflections::Ids), other(WITHOUT, Reflections::AtRest), other(MOTION, Reflections::Motion)]
 }
 
 /// Of the last frame: of the noisy picture, then of each filter. Things at rest stand where they are in that frame.
@@ -63,8 +56,8 @@ fn measure(lab: &Lab, moves: bool, folder: &Path) -> Result<Vec<Errors>> {
         shows.push(surfaces.iter().zip(&hits).map(|(surface, hit)| *surface == MIRROR && MOVERS.contains(hit)).collect());
         lab.bar.inc(1);
     }
-    let mut frame = running::read(lab.gpu, &tracer, &mut running)?;
-    frame.set_halves(lab.references.of_frame(&mut tracer, &scene, last)?);
+    let frame = running::read(lab.gpu, &tracer, &mut running)?;
+    let halves = lab.references.of_frame(&mut tracer, &scene, last)?;
     let names = [NOISY].into_iter().chain(contenders.iter().map(|c| c.name));
     let tag = if moves { "moving" } else { "at rest" };
     for (name, pixels) in names.zip(frame.pictures()) {
@@ -72,30 +65,7 @@ fn measure(lab: &Lab, moves: bool, folder: &Path) -> Result<Vec<Errors>> {
         Picture::from_linear(width, height, pixels, 1.0)?.write_png(folder.join(format!("{name}, {tag}.png")))?;
     }
     let counts: Vec<bool> = (0..shows[0].len()).map(|p| shows.iter().rev().take(TRAIL).any(|shows| shows[p])).collect();
-    errors(&frame, &counts)
-}
-
-/// Of the pixels that count.
-fn errors(frame: &Frame, counts: &[bool]) -> Result<Vec<Errors>> {
-    let [width, height] = frame.extent;
-    let Some(([a, b], reference)) = frame.halves.as_ref().zip(frame.reference.as_ref()) else { return Ok(Vec::new()) };
-    let (halves, all) = ([of(a, counts), of(b, counts)], Rgb::new(width, height, reference)?);
-    let halves = [row(&halves[0])?, row(&halves[1])?];
-    let score = |pixels: &[[f32; 3]]| -> Result<Errors> {
-        let flip = flip_map(Rgb::new(width, height, pixels)?, all)?;
-        let (flip, own) = (of(&flip, counts), of(pixels, counts));
-        let flip = flip.iter().map(|error| f64::from(*error)).sum::<f64>() / flip.len() as f64;
-        Ok(Errors { rmse: unbiased_rmse(row(&own)?, halves)?, rel_mse: unbiased_rel_mse(row(&own)?, halves)?, flip })
-    };
-    frame.pictures().map(score).collect()
-}
-
-fn of<T: Copy>(values: &[T], counts: &[bool]) -> Vec<T> {
-    values.iter().zip(counts).filter(|(_, counts)| **counts).map(|(value, _)| *value).collect()
-}
-
-fn row(pixels: &[[f32; 3]]) -> Result<Rgb<'_>> {
-    Ok(Rgb::new(pixels.len() as u32, 1, pixels)?)
+    frame.pictures().map(|picture| errors(picture, &halves, frame.extent, &counts)).collect()
 }
 
 fn report(size: [u32; 2], moving: &[Errors], resting: &[Errors]) -> Findings {
@@ -103,16 +73,17 @@ fn report(size: [u32; 2], moving: &[Errors], resting: &[Errors]) -> Findings {
         SCENE,
         [("RMSE", 4), ("relMSE", 5), ("FLIP", 3), ("RMSE at rest", 4), ("relMSE at rest", 5), ("FLIP at rest", 3)],
     );
-    for ((name, moving), resting) in [NOISY, BEST, WITHOUT].iter().zip(moving).zip(resting) {
+    for ((name, moving), resting) in [NOISY, BEST, WITHOUT, MOTION].iter().zip(moving).zip(resting) {
         let of = |errors: &Errors| [errors.rmse, errors.rel_mse, errors.flip];
         table.row(name, &[of(moving), of(resting)].concat());
     }
     let claim = |text: String, ratio: f64, bound: f64| Claim { text, scene: SCENE.into(), ratio, bound, accepted: bound };
     let mut claims = Vec::new();
-    if let ([noisy, best, without], [_, best_at_rest, without_at_rest]) = (moving, resting) {
+    if let ([noisy, best, without, motion], [_, best_at_rest, without_at_rest, _]) = (moving, resting) {
         let (ids, none) = (best.rel_mse / best_at_rest.rel_mse, without.rel_mse / without_at_rest.rel_mse);
         claims.push(claim("relMSE of things that move in a mirror to that at rest, with hit ids".into(), ids, 2.0));
         claims.push(claim("the same without hit ids".into(), none, 5.0));
+        claims.push(claim("relMSE with the motion of what is hit to that with its id".into(), motion.rel_mse / best.rel_mse, 1.05));
         for (name, errors) in [(BEST, best), (WITHOUT, without)] {
             claims.push(claim(
                 format!("FLIP of things that move in a mirror to that of the noisy picture, {name}"),
@@ -142,11 +113,11 @@ mod tests {
     fn claims_fail_where_a_reflection_smears() {
         let errors = |rel_mse, flip| Errors { rmse: 0.1, rel_mse, flip };
         let (noisy, rest) = (errors(0.5, 0.3), errors(0.01, 0.1));
-        let failing = |moving: [Errors; 2]| -> Vec<String> {
-            let found = report([64, 36], &[noisy, moving[0], moving[1]], &[noisy, rest, rest]);
+        let failing = |moving: [Errors; 3]| -> Vec<String> {
+            let found = report([64, 36], &[noisy, moving[0], moving[1], moving[2]], &[noisy, rest, rest, rest]);
             found.claims.into_iter().filter(|claim| !claim.holds()).map(|claim| claim.text).collect()
         };
-        assert_eq!(failing([errors(0.019, 0.2), errors(0.049, 0.3)]), [""; 0]);
-        assert_eq!(failing([errors(0.021, 0.31), errors(0.051, 0.31)]).len(), 4);
+        assert_eq!(failing([errors(0.019, 0.2), errors(0.049, 0.3), errors(0.019, 0.2)]), [""; 0]);
+        assert_eq!(failing([errors(0.021, 0.31), errors(0.051, 0.31), errors(0.03, 0.2)]).len(), 5);
     }
 }
