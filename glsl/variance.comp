@@ -143,33 +143,16 @@ struct Surroundings {
 };
 
 // How far neighbours differ as noise does and not as a picture, 0 to 1: in all, and where the picture is a clear one alone. Told by logarithms, in
-// which a highlight is as smooth as its foot, and rare light is not.
-struct Whiteness {
-    float whole;
-    float of_pictures;
-};
-
-Whiteness whiteness_of(float logs[PIXELS], float weights[PIXELS], float sum) {
-    float mean = 0.0, spread = 0.0, curvature = 0.0, triples = 0.0;
-    [[unroll]] for (int i = 0; i < PIXELS; ++i) mean += weights[i] * logs[i];
-    mean /= sum;
-    [[unroll]] for (int i = 0; i < PIXELS; ++i) {
-        spread += weights[i] * (logs[i] - mean) * (logs[i] - mean);
-        [[unroll]] for (int step = 1; step <= SIDE; step += SIDE - 1) {
-            int place = step == 1 ? i % SIDE : i / SIDE;
-            if (place == 0 || place == SIDE - 1) continue;
-            float weight = weights[i - step] * weights[i] * weights[i + step];
-            float bend = logs[i - step] - 2.0 * logs[i] + logs[i + step];
-            curvature += weight * bend * bend;
-            triples += weight;
-        }
-    }
-    spread /= sum;
-    if (triples <= 0.5) return Whiteness(1.0, 1.0);
-    float noise = curvature / (6.0 * triples), white = smoothstep(STRUCTURE, WHITE_NOISE, noise / max(spread, 1e-20));
-    return Whiteness(white, mix(1.0, white, smoothstep(FAINT_PICTURE, CLEAR_PICTURE, spread - noise)));
+// which a highlight is as smooth as its foot, and rare light is not. `noise`: the part of their spread that bends.
+vec2 whiteness(float spread, float noise) {
+    float white = smoothstep(STRUCTURE, WHITE_NOISE, noise / max(spread, 1e-20));
+    return vec2(white, mix(1.0, white, smoothstep(FAINT_PICTURE, CLEAR_PICTURE, spread - noise)));
 }
 
+// White noise bends by six times its variance.
+const float BEND_OF_NOISE = 6.0;
+
+// `luminances`: with the deviations of samples.
 Surroundings surroundings_of(vec2 luminances[PIXELS], float weights[PIXELS]) {
     float sum = 0.0, mean = 0.0, within = 0.0;
     [[unroll]] for (int i = 0; i < PIXELS; ++i) {
@@ -178,30 +161,37 @@ Surroundings surroundings_of(vec2 luminances[PIXELS], float weights[PIXELS]) {
         within += weights[i] * luminances[i].y * luminances[i].y;
     }
     mean /= sum;
-    float spread = 0.0, fourth = 0.0, curvature = 0.0, triples = 0.0;
+    within /= sum;
+    // From here on, luminances with their logarithms.
+    float log_mean = 0.0, dark = max(DARK * mean, 0.0) + 1e-12;
     [[unroll]] for (int i = 0; i < PIXELS; ++i) {
-        float square = (luminances[i].x - mean) * (luminances[i].x - mean);
-        spread += weights[i] * square;
-        fourth += weights[i] * square * square;
+        luminances[i].y = log2(max(luminances[i].x, 0.0) + dark);
+        log_mean += weights[i] * luminances[i].y;
+    }
+    vec2 means = vec2(mean, log_mean / sum), spreads = vec2(0.0), bends = vec2(0.0);
+    float fourth = 0.0, triples = 0.0;
+    [[unroll]] for (int i = 0; i < PIXELS; ++i) {
+        vec2 squares = (luminances[i] - means) * (luminances[i] - means);
+        spreads += weights[i] * squares;
+        fourth += weights[i] * squares.x * squares.x;
         // Along x and y: what is a slope has none.
         [[unroll]] for (int step = 1; step <= SIDE; step += SIDE - 1) {
             int place = step == 1 ? i % SIDE : i / SIDE;
             if (place == 0 || place == SIDE - 1) continue;
             float weight = weights[i - step] * weights[i] * weights[i + step];
-            float bend = luminances[i - step].x - 2.0 * luminances[i].x + luminances[i + step].x;
-            curvature += weight * bend * bend;
+            vec2 bend = luminances[i - step] - 2.0 * luminances[i] + luminances[i + step];
+            bends += weight * bend * bend;
             triples += weight;
         }
     }
-    spread /= sum;
-    float doubt = sqrt(max(fourth / max(sum * spread * spread, 1e-36) - 1.0, 0.0) / sum);
-    if (FILLED) return Surroundings(within / sum, FILLED_NOISE * spread, FILLED_NOISE * spread, doubt);
-    // White noise bends by six times its variance.
-    float noise = triples > 0.5 ? min(spread, curvature / (6.0 * triples)) : spread;
-    float logs[PIXELS];
-    [[unroll]] for (int i = 0; i < PIXELS; ++i) logs[i] = log2(max(luminances[i].x, 0.0) + max(DARK * mean, 0.0) + 1e-12);
-    Whiteness white = whiteness_of(logs, weights, sum);
-    return Surroundings(within / sum * white.of_pictures, noise * white.of_pictures, noise * white.whole, doubt);
+    spreads /= sum;
+    float doubt = sqrt(max(fourth / max(sum * spreads.x * spreads.x, 1e-36) - 1.0, 0.0) / sum);
+    if (FILLED) return Surroundings(within, FILLED_NOISE * spreads.x, FILLED_NOISE * spreads.x, doubt);
+    if (triples <= 0.5) return Surroundings(within, spreads.x, spreads.x, doubt);
+    bends /= BEND_OF_NOISE * triples;
+    vec2 white = whiteness(spreads.y, bends.y);
+    float noise = min(spreads.x, bends.x);
+    return Surroundings(within * white.y, noise * white.y, noise * white.x, doubt);
 }
 
 // How much wider a variance is that is in doubt.
