@@ -2,6 +2,9 @@
 
 pub mod readback;
 
+use atrous_denoise::backend::{Backend, Passes};
+use atrous_denoise::setup::{Options, Setup};
+use atrous_denoise::{frame, frame_files};
 use atrous_lab::pictures::Picture;
 use bevy::log::LogPlugin;
 use bevy::prelude::*;
@@ -9,6 +12,7 @@ use bevy::render::settings::{Backends, InstanceFlags, RenderCreation, WgpuSettin
 use bevy::render::{RenderApp, RenderPlugin};
 use bevy::window::ExitCondition;
 use bevy_atrous::ViewDenoiser;
+use std::path::Path;
 
 /// As Bevy's systems fail.
 pub type Result<T> = std::result::Result<T, BevyError>;
@@ -60,4 +64,24 @@ pub fn difference(shown: &[[u8; 3]], radiance: &[[f32; 3]]) -> u8 {
 /// A picture of linear colours without exposure.
 pub fn picture([width, height]: [u32; 2], radiance: &[[f32; 3]]) -> Result<Picture> {
     Ok(Picture::from_linear(width, height, radiance, 1.0)?)
+}
+
+/// The last frame of a capture, as `atrous-denoise` filters it.
+fn replay(folder: &Path) -> Result<Vec<[f32; 3]>> {
+    let files = frame_files::find(&[folder.to_owned()])?;
+    let setup = Setup::new(&files, &Options::default())?;
+    let mut passes = Passes::gpu(None, &setup.config)?;
+    let mut last = Vec::new();
+    for file in &files {
+        last = passes.denoise(&frame::load(file, &setup)?, false)?.radiance;
+    }
+    Ok(last)
+}
+
+/// Says in how many pixels the replay of a capture is what was shown.
+pub fn print_replay(folder: &Path, denoised: &[[f32; 3]]) -> Result<()> {
+    let replayed = replay(folder)?;
+    let alike = replayed.iter().zip(denoised).filter(|(a, b)| a == b).count();
+    println!("replayed by atrous-denoise: {alike} of {} pixels have the same bits", denoised.len());
+    Ok(())
 }

@@ -15,19 +15,19 @@ use bevy::prelude::*;
 use bevy::render::render_asset::RenderAssets;
 use bevy::render::texture::GpuImage;
 use bevy::render::RenderApp;
-use bevy_atrous::DenoisePlugin;
-use host_bevy::{denoiser, difference, headless, picture, readback, rmse, Result};
+use bevy_atrous::{Capture, DenoisePlugin};
+use host_bevy::{denoiser, difference, headless, picture, print_replay, readback, rmse, Result};
 use path_tracer::Traced;
-use scene::{LikeSolari, Scene, Target, EXTENT};
+use scene::{Captured, LikeSolari, Scene, Target, EXTENT};
 use std::path::PathBuf;
 
 const FRAMES: u32 = 24;
 /// Paths a pixel of the reference.
 const REFERENCE: u32 = 1024;
 
-fn app(like_solari: bool) -> App {
+fn app(like_solari: bool, capture: Capture) -> App {
     let mut app = headless();
-    app.insert_resource(LikeSolari(like_solari));
+    app.insert_resource(LikeSolari(like_solari)).insert_resource(Captured(capture));
     if like_solari {
         app.insert_resource(DefaultOpaqueRendererMethod::deferred());
     }
@@ -103,7 +103,8 @@ fn main() -> Result<()> {
     let mut arguments = std::env::args_os().skip(1).peekable();
     let like_solari = arguments.next_if(|argument| argument == "--like-solari").is_some();
     let folder = arguments.next().map(PathBuf::from);
-    let mut app = app(like_solari);
+    let captured = tempfile::tempdir()?;
+    let mut app = app(like_solari, Capture { folder: captured.path().to_owned(), frames: FRAMES });
     let mut known = Vec::new();
     for index in 0..FRAMES {
         draw(&mut app, Scene { index, time: index, ..default() });
@@ -136,6 +137,7 @@ fn main() -> Result<()> {
     check_conventions(&known[0], &known[1])?;
     println!("with jitter");
     check_conventions(&known[2], &known[3])?;
+    print_replay(captured.path(), &denoised)?;
     let errors = [rmse(&noisy, &reference), rmse(&denoised, &reference)];
     println!("RMSE noisy {:.4}\nRMSE denoised {:.4}", errors[0], errors[1]);
     if let Some(folder) = folder {

@@ -11,9 +11,9 @@ use bevy::render::render_asset::RenderAssets;
 use bevy::render::texture::GpuImage;
 use bevy::render::RenderApp;
 use bevy::solari::prelude::SolariPlugins;
-use bevy_atrous::DenoisePlugin;
-use host_bevy::{denoiser, difference, headless, picture, readback, rmse, Result};
-use scene::{Frame, Target, EXTENT};
+use bevy_atrous::{Capture, DenoisePlugin};
+use host_bevy::{denoiser, difference, headless, picture, print_replay, readback, rmse, Result};
+use scene::{Captured, Frame, Target, EXTENT};
 use std::path::PathBuf;
 
 /// Frames in which the camera moves.
@@ -29,6 +29,8 @@ fn noisy(app: &mut App) -> Result<Vec<[f32; 3]>> {
 fn main() -> Result<()> {
     let folder = std::env::args_os().nth(1).map(PathBuf::from);
     let mut app = headless();
+    let captured = tempfile::tempdir()?;
+    app.insert_resource(Captured(Capture { folder: captured.path().to_owned(), frames: FRAMES }));
     app.add_plugins((SolariPlugins, DenoisePlugin, scene::ScenePlugin));
     app.finish();
     app.cleanup();
@@ -51,6 +53,7 @@ fn main() -> Result<()> {
         let light = noisy(&mut app)?;
         reference.iter_mut().flatten().zip(light.iter().flatten()).for_each(|(mean, light)| *mean += light / REFERENCE as f32);
     }
+    print_replay(captured.path(), &denoised)?;
     let errors = [rmse(&light, &reference), rmse(&denoised, &reference)];
     println!("RMSE noisy {:.4}\nRMSE denoised {:.4}", errors[0], errors[1]);
     if let Some(folder) = folder {

@@ -5,7 +5,7 @@ use bevy::core_pipeline::tonemapping::{DebandDither, Tonemapping};
 use bevy::prelude::*;
 use bevy::render::render_resource::{TextureFormat, TextureUsages};
 use bevy::solari::prelude::{RaytracingMesh3d, SolariLighting};
-use bevy_atrous::{Denoise, Source};
+use bevy_atrous::{Capture, Denoise, Source};
 
 /// Pixels.
 pub const EXTENT: [u32; 2] = [160, 90];
@@ -13,6 +13,10 @@ pub const EXTENT: [u32; 2] = [160, 90];
 /// The frame at which camera and balls stand.
 #[derive(Resource, Default)]
 pub struct Frame(pub u32);
+
+/// What is captured, from the first frame on.
+#[derive(Resource)]
+pub struct Captured(pub Capture);
 
 /// The picture of the camera. Without tone mapping and dithering it is the denoised texture itself, so that it can be compared.
 #[derive(Resource)]
@@ -56,6 +60,7 @@ fn spawn(
     mut meshes: ResMut<Assets<Mesh>>,
     mut materials: ResMut<Assets<StandardMaterial>>,
     frame: Res<Frame>,
+    captured: Res<Captured>,
 ) -> Result {
     let mut spawn = |mesh: Mesh, at: Vec3, material: StandardMaterial| -> Result<Entity> {
         // Solari reads tangents.
@@ -94,7 +99,8 @@ fn spawn(
     let camera = (Camera3d::default(), RenderTarget::from(target), eye(frame.0), Tonemapping::None, DebandDither::Disabled);
     // One unit of emission is one unit of the picture.
     let exposure = Exposure { ev100: -1.2_f32.log2() };
-    commands.spawn((camera, exposure, SolariLighting::default(), Denoise { source: Source::MainTexture, ..default() }));
+    let denoise = Denoise { source: Source::MainTexture, capture: Some(captured.0.clone()), ..default() };
+    commands.spawn((camera, exposure, SolariLighting::default(), denoise));
     Ok(())
 }
 
