@@ -19,7 +19,7 @@ use std::path::PathBuf;
 /// Frames in which the camera moves.
 const FRAMES: u32 = 24;
 /// Frames at the last place of the camera, whose mean is the reference.
-const REFERENCE: u32 = 256;
+const REFERENCE: u32 = 128;
 
 fn noisy(app: &mut App) -> Result<Vec<[f32; 3]>> {
     let (world, view) = denoiser(app)?;
