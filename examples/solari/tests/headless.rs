@@ -14,7 +14,10 @@ fn solari_is_denoised_and_its_capture_replayed() {
     let output = command.env("VK_INSTANCE_LAYERS", "VK_LAYER_KHRONOS_validation").output().expect("a process");
     let text = [&output.stdout, &output.stderr].map(|bytes| String::from_utf8_lossy(bytes).into_owned()).concat();
     assert!(output.status.success(), "{}\n{text}", output.status);
-    assert!(!text.contains("Validation"), "{text}");
+    // A layer that is older than a structure of wgpu says so once.
+    let is_of_age = |line: &str| line.contains("VUID-VkDeviceCreateInfo-pNext-pNext");
+    let messages: Vec<&str> = text.lines().filter(|line| line.contains("Validation Error") && !is_of_age(line)).collect();
+    assert!(messages.is_empty(), "{messages:?}");
     assert!(number(&text, "at most") <= 1.0, "{text}");
     assert_eq!(number(&text, "by atrous-denoise:"), f64::from(160 * 90), "{text}");
     assert!(4.0 * number(&text, "RMSE denoised") < number(&text, "RMSE noisy"), "{text}");

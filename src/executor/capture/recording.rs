@@ -63,6 +63,8 @@ impl Executor {
         // phase.
         unsafe {
             self.barriers.before_access(device, cmd, storages, (id, 0), ResourceState::COPY_SOURCE, false);
+            // An earlier frame of the slot filled the same buffer.
+            self.barriers.single(device, cmd, target, [COPIED, COPIED], false);
             copy(device, cmd, &object, [origin, extent], buffer, bytes as u64);
             self.barriers.single(device, cmd, target, [COPIED, READ_BY_HOST], false);
         }
