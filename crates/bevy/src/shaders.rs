@@ -66,10 +66,8 @@ fn run(
     let size = written[0].size();
     let written: Vec<TextureView> = written.iter().map(|texture| texture.create_view(&default())).collect();
     let views = read.iter().copied().chain(&written);
-    let entries: Vec<_> = (0..)
-        .zip(views)
-        .map(|(binding, view)| BindGroupEntry { binding, resource: BindingResource::TextureView(view) })
-        .collect();
+    let entries: Vec<_> =
+        (0..).zip(views).map(|(binding, view)| BindGroupEntry { binding, resource: BindingResource::TextureView(view) }).collect();
     let layout = pipeline.get_bind_group_layout(0);
     let group = device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout: &layout, entries: &entries });
     let mut pass = encoder.begin_compute_pass(&default());

@@ -83,8 +83,7 @@ fn spawn(
     let mut last = None;
     for ([x, z], radius, [red, green, blue], perceptual_roughness, is_metal) in BALLS {
         let metallic = if is_metal { 1.0 } else { 0.0 };
-        let material =
-            StandardMaterial { perceptual_roughness, metallic, ..Color::linear_rgb(red, green, blue).into() };
+        let material = StandardMaterial { perceptual_roughness, metallic, ..Color::linear_rgb(red, green, blue).into() };
         last = Some(spawn(bevy::shape::Sphere::new(radius).mesh().uv(48, 32), Vec3::new(x, radius, z), material)?);
     }
     last.into_iter().for_each(|ball| {
