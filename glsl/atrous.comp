@@ -32,6 +32,7 @@ layout(push_constant) uniform Push {
 } push;
 
 #include "frame.glsl"
+#include "viewport.glsl"
 #include "centre_geometry.glsl"
 #include "luminance.glsl"
 #include "packed_image.glsl"
@@ -42,11 +43,15 @@ layout(push_constant) uniform Push {
 // Storage images are read, not sampled ones, for the reasons that packed_image.glsl has.
 PACKED_IMAGE(1, guide);
 layout(set = 0, binding = 2) uniform utexture2D depth_gradient;
-layout(set = 0, binding = 3, rgba16f) uniform restrict readonly image2D input_0;
-layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D output_0;
+const uint INPUT_0 = 3u;
+const uint OUTPUT_0 = 4u;
+const uint INPUT_1 = 5u;
+const uint OUTPUT_1 = 6u;
+layout(set = 0, binding = INPUT_0, rgba16f) uniform restrict readonly image2D input_0;
+layout(set = 0, binding = OUTPUT_0, rgba16f) uniform writeonly image2D output_0;
 #if SIGNALS == 2
-layout(set = 0, binding = 5, rgba16f) uniform restrict readonly image2D input_1;
-layout(set = 0, binding = 6, rgba16f) uniform writeonly image2D output_1;
+layout(set = 0, binding = INPUT_1, rgba16f) uniform restrict readonly image2D input_1;
+layout(set = 0, binding = OUTPUT_1, rgba16f) uniform writeonly image2D output_1;
 #endif
 
 #ifdef SPECULAR
@@ -140,12 +145,12 @@ vec2 variances_beside(ivec2 p) {
         [[unroll]] for (int x = -1; x <= 1; ++x) {
             ivec2 q = p + ivec2(x, y), tap = nearest_inside(q);
             float kernel = q == tap ? 0.25 / float(1 << (abs(x) + abs(y))) : 0.0;
-            float deviation = imageLoad(input_0, tap).a;
+            float deviation = imageLoad(input_0, host_pixel(INPUT_0, tap)).a;
             // In the background it is negative.
             float weight = deviation >= 0.0 ? kernel : 0.0;
             sum.x += weight * deviation * deviation;
 #if SIGNALS == 2
-            deviation = imageLoad(input_1, tap).a;
+            deviation = imageLoad(input_1, host_pixel(INPUT_1, tap)).a;
             sum.y += weight * deviation * deviation;
 #endif
             weight_sum += weight;
@@ -195,15 +200,15 @@ float log2_lobe_weight(Lobe lobe, ivec2 offset, ivec2 tap, GuideBits packed_tap)
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
-    vec4 value_0 = imageLoad(input_0, p);
+    vec4 value_0 = imageLoad(input_0, host_pixel(INPUT_0, p));
 #if SIGNALS == 2
-    vec4 value_1 = imageLoad(input_1, p);
+    vec4 value_1 = imageLoad(input_1, host_pixel(INPUT_1, p));
 #endif
     GuideBits packed = GuideBits(packed_at(guide, p));
     if (!is_filtered(packed)) {
-        imageStore(output_0, p, value_0);
+        imageStore(output_0, host_pixel(OUTPUT_0, p), value_0);
 #if SIGNALS == 2
-        imageStore(output_1, p, value_1);
+        imageStore(output_1, host_pixel(OUTPUT_1, p), value_1);
 #endif
         return;
     }
@@ -239,9 +244,9 @@ void main() {
                 bool counts = q == tap && takes_part(geometry, packed_q);
                 if (OURS) {
                     weights[i] = counts ? exp2(weight) : 0.0;
-                    values_0[i] = imageLoad(input_0, tap);
+                    values_0[i] = imageLoad(input_0, host_pixel(INPUT_0, tap));
 #if SIGNALS == 2
-                    values_1[i] = imageLoad(input_1, tap);
+                    values_1[i] = imageLoad(input_1, host_pixel(INPUT_1, tap));
 #endif
                 } else {
                     weights[i] = counts ? weight : REFUSED;
@@ -262,14 +267,14 @@ void main() {
                 ivec2 offset = side * ivec2(x, y), tap = any_inside(p + offset * step_size);
                 int i = index_of(offset);
                 float weight = weights[i], kernel = kernel_at(offset);
-                add_tap(sum_0, OURS ? values_0[i] : imageLoad(input_0, tap), centre_0, weight, kernel);
+                add_tap(sum_0, OURS ? values_0[i] : imageLoad(input_0, host_pixel(INPUT_0, tap)), centre_0, weight, kernel);
 #if SIGNALS == 2
-                add_tap(sum_1, OURS ? values_1[i] : imageLoad(input_1, tap), centre_1, weight, kernel);
+                add_tap(sum_1, OURS ? values_1[i] : imageLoad(input_1, host_pixel(INPUT_1, tap)), centre_1, weight, kernel);
 #endif
             }
         }
-    imageStore(output_0, p, result(sum_0, value_0));
+    imageStore(output_0, host_pixel(OUTPUT_0, p), result(sum_0, value_0));
 #if SIGNALS == 2
-    imageStore(output_1, p, result(sum_1, value_1));
+    imageStore(output_1, host_pixel(OUTPUT_1, p), result(sum_1, value_1));
 #endif
 }

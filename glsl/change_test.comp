@@ -16,16 +16,18 @@ layout(push_constant) uniform Push {
 } push;
 
 #include "frame.glsl"
+#include "viewport.glsl"
 #include "optional.glsl"
 #include "guide.glsl"
 #include "blocks.glsl"
 
 layout(local_size_x = ROW_PIXELS) in;
 
+const uint HISTORY_CONFIDENCE = 1u;
 const uint BLOCK_DIFFERENCE_1 = 3u;
 const uint STEADINESS = 4u;
 
-layout(set = 0, binding = 1, r32f) uniform writeonly image2D history_confidence;
+layout(set = 0, binding = HISTORY_CONFIDENCE, r32f) uniform writeonly image2D history_confidence;
 layout(set = 0, binding = 2) uniform utexture2D block_difference_0;
 layout(set = 0, binding = BLOCK_DIFFERENCE_1) uniform utexture2D block_difference_1;
 layout(set = 0, binding = STEADINESS, r32f) uniform writeonly image2D steadiness;
@@ -159,6 +161,6 @@ void main() {
         change += fraction * (1.0 - f) * around.y;
         change += (1.0 - fraction) * f * around.z;
         change += fraction * f * around.w;
-        if (is_inside(q)) imageStore(history_confidence, q, vec4(1.0 - push.adaptivity * max(change, departs)));
+        if (is_inside(q)) imageStore(history_confidence, host_pixel(HISTORY_CONFIDENCE, q), vec4(1.0 - push.adaptivity * max(change, departs)));
     }
 }

@@ -22,6 +22,7 @@ layout(push_constant) uniform Push {
 } push;
 
 #include "frame.glsl"
+#include "viewport.glsl"
 #include "packed_image.glsl"
 #include "optional.glsl"
 #include "finite.glsl"
@@ -46,6 +47,8 @@ const uint HISTORY_0 = 8u;
 const uint HISTORY_1 = 9u;
 const uint HISTORY_CONFIDENCE = 10u;
 const uint GRADIENT = 11u;
+const uint NOISY_0 = 12u;
+const uint DEBUG_VIEW = 15u;
 const uint NOISY_1 = 13u;
 const uint ALBEDO = 14u;
 const uint REFLECTION = 16u;
@@ -68,10 +71,10 @@ layout(set = 0, binding = HISTORY_0) uniform texture2D history_0;
 layout(set = 0, binding = HISTORY_1) uniform texture2D history_1;
 layout(set = 0, binding = HISTORY_CONFIDENCE) uniform texture2D history_confidence;
 layout(set = 0, binding = GRADIENT) uniform texture2D gradient;
-layout(set = 0, binding = 12) uniform texture2D noisy_0;
+layout(set = 0, binding = NOISY_0) uniform texture2D noisy_0;
 layout(set = 0, binding = NOISY_1) uniform texture2D noisy_1;
 layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
-layout(set = 0, binding = 15, rgba16f) uniform writeonly image2D debug_view;
+layout(set = 0, binding = DEBUG_VIEW, rgba16f) uniform writeonly image2D debug_view;
 layout(set = 0, binding = REFLECTION) uniform utexture2D reflection;
 layout(set = 0, binding = VISIBILITY_HISTORY) uniform utexture2D visibility_history;
 layout(set = 0, binding = FIREFLY_LIMITS_0) uniform utexture2D firefly_limits_0;
@@ -136,7 +139,7 @@ vec3 false_colour(float t) {
 
 float compressed(float x) { return x / (1.0 + x); }
 
-float change_at(ivec2 p) { return is_present(HISTORY_CONFIDENCE) ? 1.0 - texelFetch(history_confidence, p, 0).x : 0.0; }
+float change_at(ivec2 p) { return is_present(HISTORY_CONFIDENCE) ? 1.0 - texelFetch(history_confidence, host_pixel(HISTORY_CONFIDENCE, p), 0).x : 0.0; }
 
 float history_length_at(ivec2 p) { return unpack_luminance_history(texelFetch(luminance_history_0, p, 0)).history_length; }
 
@@ -165,17 +168,17 @@ vec4 percentiles_at(ivec2 p) {
 }
 
 // The part of the luminance that firefly.comp cuts off.
-float excess(ivec2 p, texture2D noisy, utexture2D firefly_limits) {
-    vec3 radiance = texelFetch(noisy, p, 0).rgb, divisor = vec3(1.0);
+float excess(ivec2 p, uint binding, texture2D noisy, utexture2D firefly_limits) {
+    vec3 radiance = texelFetch(noisy, host_pixel(binding, p), 0).rgb, divisor = vec3(1.0);
     if (!is_finite(radiance)) return 0.0;
-    if (is_present(ALBEDO)) divisor = divisor_of(texelFetch(albedo, guide_pixel(p), 0).rgb);
+    if (is_present(ALBEDO)) divisor = divisor_of(texelFetch(albedo, host_pixel(ALBEDO, guide_pixel(p)), 0).rgb);
     float l = luminance(half_range(exposed(radiance) / divisor)), limit = unpack_firefly_limits(texelFetch(firefly_limits, p / CELL_SIZE, 0).x).limit;
     return limit > 0.0 && l > limit ? 1.0 - limit / l : 0.0;
 }
 
 vec4 fireflies_at(ivec2 p) {
-    float share = excess(p, noisy_0, firefly_limits_0);
-    if (is_present(FIREFLY_LIMITS_1) && is_present(NOISY_1)) share = max(share, excess(p, noisy_1, firefly_limits_1));
+    float share = excess(p, NOISY_0, noisy_0, firefly_limits_0);
+    if (is_present(FIREFLY_LIMITS_1) && is_present(NOISY_1)) share = max(share, excess(p, NOISY_1, noisy_1, firefly_limits_1));
     return vec4(false_colour(share), share);
 }
 
@@ -286,5 +289,5 @@ void main() {
     if (!is_present(NEEDED[view])) value.rgb = vec3(((p.x >> 3 ^ p.y >> 3) & 1) == 0 ? 0.02 : 0.05);
     else if (view == VIEW_BAD_VALUES) value = bad_values_at(p);
     else if (guide_depth(packed) > 0.0) value = shown(p, packed, view);
-    imageStore(debug_view, p, vec4(clamp(value.rgb, 0.0, 1.0), clamp(value.a, -65504.0, 65504.0)));
+    imageStore(debug_view, host_pixel(DEBUG_VIEW, p), vec4(clamp(value.rgb, 0.0, 1.0), clamp(value.a, -65504.0, 65504.0)));
 }

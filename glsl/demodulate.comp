@@ -23,6 +23,7 @@ layout(push_constant) uniform Push {
 } push;
 
 #include "frame.glsl"
+#include "viewport.glsl"
 #include "optional.glsl"
 #include "statistics.glsl"
 #include "guide.glsl"
@@ -36,6 +37,7 @@ layout(push_constant) uniform Push {
 layout(local_size_x = 8, local_size_y = 8) in;
 
 const uint ALBEDO = 3u;
+const uint NOISY_0 = 4u;
 const uint NOISY_1 = 6u;
 const uint COMPARED_0 = 9u;
 const uint COMPARED_1 = 10u;
@@ -46,7 +48,7 @@ const uint SPECULAR_HIT_DISTANCE = 13u;
 layout(set = 0, binding = 2) uniform utexture2D guide;
 layout(set = 0, binding = 14) uniform utexture2D depth_gradient;
 layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
-layout(set = 0, binding = 4) uniform texture2D noisy_0;
+layout(set = 0, binding = NOISY_0) uniform texture2D noisy_0;
 layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D irradiance_0;
 layout(set = 0, binding = NOISY_1) uniform texture2D noisy_1;
 layout(set = 0, binding = 7, rgba16f) uniform writeonly image2D irradiance_1;
@@ -64,7 +66,7 @@ vec3 divisor_at(ivec2 p, GuideBits packed, out bool bad) {
     bad = false;
     if ((!is_present(ALBEDO) && !from_f0) || guide_depth(packed) == 0.0) return vec3(1.0);
     ivec2 traced = guide_pixel(p);
-    vec3 a = from_f0 ? texelFetch(specular_f0, traced, 0).rgb : texelFetch(albedo, traced, 0).rgb;
+    vec3 a = from_f0 ? texelFetch(specular_f0, host_pixel(SPECULAR_F0, traced), 0).rgb : texelFetch(albedo, host_pixel(ALBEDO, traced), 0).rgb;
     bad = !is_finite(a);
     return divisor_of(from_f0 ? specular_albedo_from(a, p, packed) : a);
 }
@@ -72,7 +74,7 @@ vec3 divisor_at(ivec2 p, GuideBits packed, out bool bad) {
 // How far away is what is seen in a surface, so that a half float holds it.
 float hit_distance_at(ivec2 p) {
     if (!is_present(SPECULAR_HIT_DISTANCE) || guide_depth(GuideBits(texelFetch(guide, p, 0))) == 0.0) return 0.0;
-    float distance = texelFetch(specular_hit_distance, p, 0).x;
+    float distance = texelFetch(specular_hit_distance, host_pixel(SPECULAR_HIT_DISTANCE, p), 0).x;
     if (is_nan(distance) || distance < 0.0) {
         count_bad(BAD_HIT_DISTANCE);
         return 0.0;
@@ -81,14 +83,14 @@ float hit_distance_at(ivec2 p) {
 }
 
 // A pixel without a sample, from those around it.
-vec4 filled(ivec2 p, texture2D noisy) {
+vec4 filled(ivec2 p, uint binding, texture2D noisy) {
     EdgeCentre centre = edge_centre(GuideBits(texelFetch(guide, p, 0)), unpack_depth_gradient(texelFetch(depth_gradient, p, 0).x));
     Filling sum = no_filling();
     [[dont_unroll]] for (int i = 0; i < 9; ++i) {
         ivec2 offset = ivec2(i % 3 - 1, i / 3 - 1), q = p + offset;
         if (i == 4 || !is_inside(q)) continue;
         GuideBits packed = GuideBits(texelFetch(guide, q, 0));
-        vec3 radiance = texelFetch(noisy, q, 0).rgb;
+        vec3 radiance = texelFetch(noisy, host_pixel(binding, q), 0).rgb;
         if (!is_finite(radiance) || !is_of_same_kind(centre, packed)) continue;
         bool bad;
         add_sample(sum, storable(exposed(radiance) / divisor_at(q, packed, bad)), packed, vec2(offset), centre);
@@ -96,7 +98,7 @@ vec4 filled(ivec2 p, texture2D noisy) {
     return filled_hole(sum);
 }
 
-vec4 demodulated(ivec2 p, texture2D noisy, vec3 radiance, vec3 divisor) {
+vec4 demodulated(ivec2 p, uint binding, texture2D noisy, vec3 radiance, vec3 divisor) {
     if (is_finite(radiance)) {
         vec3 irradiance = exposed(radiance) / divisor;
         if (is_saturated(irradiance)) count_bad(SATURATED);
@@ -104,7 +106,7 @@ vec4 demodulated(ivec2 p, texture2D noisy, vec3 radiance, vec3 divisor) {
     }
     if (SAMPLING > 0u) return vec4(vec3(0.0), HOLE);
     count_bad(BAD_RADIANCE);
-    return filled(p, noisy);
+    return filled(p, binding, noisy);
 }
 
 void main() {
@@ -113,22 +115,22 @@ void main() {
     bool bad;
     vec3 divisor = divisor_at(p, GuideBits(texelFetch(guide, p, 0)), bad);
     if (bad) count_bad(BAD_ALBEDO);
-    vec3 radiance = texelFetch(noisy_0, p, 0).rgb;
-    vec4 irradiance = demodulated(p, noisy_0, radiance, divisor);
+    vec3 radiance = texelFetch(noisy_0, host_pixel(NOISY_0, p), 0).rgb;
+    vec4 irradiance = demodulated(p, NOISY_0, noisy_0, radiance, divisor);
     if (is_present(SPECULAR_HIT_DISTANCE) && irradiance.a >= 0.0) irradiance.a = hit_distance_at(p);
     imageStore(irradiance_0, p, irradiance);
     KeptRadiance kept = nothing_kept();
     keep(kept, radiance);
     if (is_present(NOISY_1)) {
-        radiance = texelFetch(noisy_1, p, 0).rgb;
-        imageStore(irradiance_1, p, demodulated(p, noisy_1, radiance, divisor));
+        radiance = texelFetch(noisy_1, host_pixel(NOISY_1, p), 0).rgb;
+        imageStore(irradiance_1, p, demodulated(p, NOISY_1, noisy_1, radiance, divisor));
         keep(kept, radiance);
     }
 #if LUMINANCE
     if (is_present(COMPARED_0)) {
         kept = nothing_kept();
-        keep(kept, texelFetch(compared_0, p, 0).rgb);
-        if (is_present(COMPARED_1)) keep(kept, texelFetch(compared_1, p, 0).rgb);
+        keep(kept, texelFetch(compared_0, host_pixel(COMPARED_0, p), 0).rgb);
+        if (is_present(COMPARED_1)) keep(kept, texelFetch(compared_1, host_pixel(COMPARED_1, p), 0).rgb);
     }
     imageStore(noisy_luminance, p, uvec4(pack_halves(vec2(luminance_or_hole(kept), luminance(divisor)))));
     if (is_present(NOISY_RED_BLUE)) imageStore(noisy_red_blue, p, uvec4(pack_halves(kept.radiance.rb)));

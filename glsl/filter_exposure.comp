@@ -19,13 +19,15 @@ layout(push_constant) uniform Push {
 #define FRAME_ACCESS buffer
 #include "finite.glsl"
 #include "frame.glsl"
+#include "viewport.glsl"
 #include "optional.glsl"
 
+const uint NOISY_0 = 2u;
 const uint NOISY_1 = 3u;
 const uint NOISY_2 = 4u;
 
 layout(set = 0, binding = 1) uniform utexture2D previous_exposure;
-layout(set = 0, binding = 2) uniform texture2D noisy_0;
+layout(set = 0, binding = NOISY_0) uniform texture2D noisy_0;
 layout(set = 0, binding = NOISY_1) uniform texture2D noisy_1;
 layout(set = 0, binding = NOISY_2) uniform texture2D noisy_2;
 layout(set = 0, binding = 5, r32ui) uniform writeonly uimage2D exposure;
@@ -58,11 +60,11 @@ ivec2 exponent_of(vec3 c) {
     return finite && l >= DARKEST ? ivec2(int(floatBitsToUint(l) >> 23) - 127, 1) : ivec2(0);
 }
 
-ivec2 exponents_of(texture2D noisy, int column, uint row, uint rows) {
+ivec2 exponents_of(uint binding, texture2D noisy, int column, uint row, uint rows) {
     vec3 c[BATCH];
     [[unroll]] for (uint k = 0u; k < BATCH; ++k) {
         uint y = min(row + k * ROWS, rows - 1u);
-        c[k] = texelFetch(noisy, ivec2(column, (2u * y + 1u) * frame.render_extent.y / (2u * rows)), 0).rgb;
+        c[k] = texelFetch(noisy, host_pixel(binding, ivec2(column, (2u * y + 1u) * frame.render_extent.y / (2u * rows))), 0).rgb;
     }
     ivec2 own = ivec2(0);
     [[unroll]] for (uint k = 0u; k < BATCH; ++k) own += row + k * ROWS < rows ? exponent_of(c[k]) : ivec2(0);
@@ -92,9 +94,9 @@ void main() {
     if (x < cells.x) {
         int column = int((2u * x + 1u) * frame.render_extent.x / (2u * cells.x));
         for (uint row = i / SIDE; row < cells.y; row += ROWS * BATCH) {
-            own += exponents_of(noisy_0, column, row, cells.y);
-            if (is_present(NOISY_1)) own += exponents_of(noisy_1, column, row, cells.y);
-            if (is_present(NOISY_2)) own += exponents_of(noisy_2, column, row, cells.y);
+            own += exponents_of(NOISY_0, noisy_0, column, row, cells.y);
+            if (is_present(NOISY_1)) own += exponents_of(NOISY_1, noisy_1, column, row, cells.y);
+            if (is_present(NOISY_2)) own += exponents_of(NOISY_2, noisy_2, column, row, cells.y);
         }
     }
     atomicAdd(sum, own.x);

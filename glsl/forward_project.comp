@@ -17,6 +17,7 @@ layout(push_constant) uniform Push {
 } push;
 
 #include "frame.glsl"
+#include "viewport.glsl"
 #include "conventions.glsl"
 #include "optional.glsl"
 #include "statistics.glsl"
@@ -26,6 +27,7 @@ layout(push_constant) uniform Push {
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
+const uint FORWARD_MOTION_IMAGE = 11u;
 const uint INSTANCE_TRANSFORMS = 6u;
 
 layout(set = 0, binding = 2) uniform utexture2D guide;
@@ -44,7 +46,7 @@ layout(set = 0, binding = SURFACE_ID) uniform utexture2D surface_id;
 layout(set = 0, binding = 7, r32ui) uniform uimage2D claims;
 #endif
 #if FORWARD_MOTION
-layout(set = 0, binding = 11) uniform texture2D forward_motion;
+layout(set = 0, binding = FORWARD_MOTION_IMAGE) uniform texture2D forward_motion;
 #endif
 
 #include "instance_transform.glsl"
@@ -71,7 +73,7 @@ uint key_of(uint index) {
 uint host_position(ivec2 j, out ForwardPosition position) {
     position = ForwardPosition(vec2(0.0), vec2(0.0), 0.0, 0.0);
 #if FORWARD_MOTION
-    vec3 v = texelFetch(forward_motion, j, 0).xyz;
+    vec3 v = texelFetch(forward_motion, host_pixel(FORWARD_MOTION_IMAGE, j), 0).xyz;
     if (!is_finite(v)) return 2u;
     if (v.z <= 0.0) return 0u;
     vec2 extent = vec2(frame.render_extent), previous_extent = vec2(frame.previous_render_extent);
@@ -142,7 +144,7 @@ uvec4 next_candidate(ivec2 s, uint taken) {
     uint chosen = pcg(uint(s.x) + uint(s.y) * width + pcg(frame.frame_index + CANDIDATE_SALT)) % count;
     if (chosen >= skipped) ++chosen;
     ivec2 pixel = first_pixel(s) + ivec2(chosen % extent.x, chosen / extent.x);
-    uint id = is_present(SURFACE_ID) ? texelFetch(surface_id, guide_pixel(pixel), 0).x : 0xffffffffu;
+    uint id = is_present(SURFACE_ID) ? texelFetch(surface_id, host_pixel(SURFACE_ID, guide_pixel(pixel)), 0).x : 0xffffffffu;
     return uvec4(uvec2(pixel), id & 0xffffu, id >> 16);
 }
 

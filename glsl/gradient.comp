@@ -21,6 +21,7 @@ layout(push_constant) uniform Push {
 } push;
 
 #include "frame.glsl"
+#include "viewport.glsl"
 #include "optional.glsl"
 #include "finite.glsl"
 #include "surface_motion.glsl"
@@ -32,6 +33,7 @@ layout(push_constant) uniform Push {
 layout(local_size_x = 8, local_size_y = 8) in;
 
 const uint ALBEDO = 2u;
+const uint NOISY_0 = 3u;
 const uint NOISY_1 = 4u;
 const uint GRADIENT_SAMPLES = 7u;
 const uint RESHADED_RADIANCE = 8u;
@@ -46,7 +48,7 @@ const uint LIGHT_NOW = 16u;
 
 layout(set = 0, binding = 1) uniform utexture2D guide;
 layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
-layout(set = 0, binding = 3) uniform texture2D noisy_0;
+layout(set = 0, binding = NOISY_0) uniform texture2D noisy_0;
 layout(set = 0, binding = NOISY_1) uniform texture2D noisy_1;
 layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D gradient;
 layout(set = 0, binding = 6, rgba16ui) uniform writeonly uimage2D gradient_guide;
@@ -79,14 +81,14 @@ struct Sum {
 
 KeptRadiance noisy_at(ivec2 p) {
     KeptRadiance sum = nothing_kept();
-    keep(sum, texelFetch(noisy_0, p, 0).rgb);
-    if (is_present(NOISY_1)) keep(sum, texelFetch(noisy_1, p, 0).rgb);
+    keep(sum, texelFetch(noisy_0, host_pixel(NOISY_0, p), 0).rgb);
+    if (is_present(NOISY_1)) keep(sum, texelFetch(noisy_1, host_pixel(NOISY_1, p), 0).rgb);
     return sum;
 }
 
 float albedo_at(ivec2 p, bool background) {
     if (background || !is_present(ALBEDO)) return 1.0;
-    return luminance(divisor_of(texelFetch(albedo, guide_pixel(p), 0).rgb));
+    return luminance(divisor_of(texelFetch(albedo, host_pixel(ALBEDO, guide_pixel(p)), 0).rgb));
 }
 
 // Luminance, negative without a sample, and that of the albedo.
@@ -130,7 +132,7 @@ void add_reshaded(inout Sum sum, ivec2 p, GuideBits packed) {
     ivec2 j;
     bool known = is_present(RESHADED_RADIANCE) && is_present(PREVIOUS_GUIDE) && is_present(SURFACE_MOTION) && is_present(DEPTH_GRADIENT);
     if (has_flag(FLAG_RESET) || !known || !previous_pixel_of(p, packed, j)) return;
-    vec3 radiance = texelFetch(reshaded_radiance, j, 0).rgb;
+    vec3 radiance = texelFetch(reshaded_radiance, host_pixel(RESHADED_RADIANCE, j), 0).rgb;
     if (is_finite(radiance)) add_change(sum, half_range(exposed(radiance)), light_of(j), j);
 }
 

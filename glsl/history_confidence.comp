@@ -11,9 +11,13 @@
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 #include "frame.glsl"
+#include "viewport.glsl"
 #include "finite.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
+
+const uint CONFIDENCE = 1u;
+const uint HISTORY_CONFIDENCE = 2u;
 
 #if SOURCE == 0
 layout(push_constant) uniform Push {
@@ -37,9 +41,9 @@ layout(set = 0, binding = OTHER_CONFIDENCE) uniform texture2D other_confidence;
 layout(set = 0, binding = UNSCALED_CONFIDENCE, r32f) uniform writeonly image2D unscaled_confidence;
 layout(set = 0, binding = STEADINESS) uniform texture2D steadiness;
 #else
-layout(set = 0, binding = 1) uniform texture2D confidence;
+layout(set = 0, binding = CONFIDENCE) uniform texture2D confidence;
 #endif
-layout(set = 0, binding = 2, r32f) uniform writeonly image2D history_confidence;
+layout(set = 0, binding = HISTORY_CONFIDENCE, r32f) uniform writeonly image2D history_confidence;
 
 #if SOURCE == 0
 // The strata around a pixel.
@@ -77,7 +81,7 @@ vec2 confidence_at(ivec2 p) {
     ivec2 last = min(p + 1, ivec2(frame.render_extent) - 1) / int(STRATUM_SIZE);
     Surroundings around = Surroundings(0.0, 0.0, vec4(65504.0), vec4(0.0));
     [[unroll]] for (int i = 0; i < 4; ++i) add_stratum(around, ivec2((i & 1) == 0 ? first.x : last.x, i < 2 ? first.y : last.y));
-    if (is_present(OTHER_CONFIDENCE) && around.brightest == 0.0) return vec2(texelFetch(other_confidence, p, 0).x);
+    if (is_present(OTHER_CONFIDENCE) && around.brightest == 0.0) return vec2(texelFetch(other_confidence, host_pixel(OTHER_CONFIDENCE, p), 0).x);
     // The blocks that are steady are those of the history that the ratio scales.
     vec2 change = around.change * vec2(is_present(STEADINESS) ? 1.0 - steadiness_at(p) : 1.0, 1.0);
     if (around.least.a > around.largest.a) return 1.0 - change;
@@ -88,7 +92,7 @@ vec2 confidence_at(ivec2 p) {
 }
 #else
 vec2 confidence_at(ivec2 p) {
-    float value = texelFetch(confidence, p, 0).x;
+    float value = texelFetch(confidence, host_pixel(CONFIDENCE, p), 0).x;
     return vec2(is_finite(value) ? clamp(value, 0.0, 1.0) : 1.0);
 }
 #endif
@@ -97,8 +101,8 @@ void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
     vec2 known = confidence_at(p);
-    imageStore(history_confidence, p, vec4(known.x, 0.0, 0.0, 0.0));
+    imageStore(history_confidence, host_pixel(HISTORY_CONFIDENCE, p), vec4(known.x, 0.0, 0.0, 0.0));
 #if SOURCE == 0
-    if (is_present(UNSCALED_CONFIDENCE)) imageStore(unscaled_confidence, p, vec4(known.y, 0.0, 0.0, 0.0));
+    if (is_present(UNSCALED_CONFIDENCE)) imageStore(unscaled_confidence, host_pixel(UNSCALED_CONFIDENCE, p), vec4(known.y, 0.0, 0.0, 0.0));
 #endif
 }

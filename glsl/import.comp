@@ -17,6 +17,7 @@ layout(push_constant) uniform Push {
 
 #define GUIDE_PIXELS
 #include "frame.glsl"
+#include "viewport.glsl"
 #include "conventions.glsl"
 #include "demodulation.glsl"
 #include "optional.glsl"
@@ -27,15 +28,18 @@ layout(push_constant) uniform Push {
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
+const uint DEPTH = 2u;
+const uint NORMAL = 3u;
 const uint MOTION = 4u;
 const uint ROUGHNESS = 5u;
 const uint INSTANCE_TRANSFORMS = 6u;
 const uint OBJECT_NORMAL = 10u;
 const uint OBJECT_NORMAL_GUIDE = 11u;
+const uint SURFACE_ID_IMAGE = 12u;
 const uint ALBEDO = 13u;
 
-layout(set = 0, binding = 2) uniform texture2D depth;
-layout(set = 0, binding = 3) uniform texture2D normal;
+layout(set = 0, binding = DEPTH) uniform texture2D depth;
+layout(set = 0, binding = NORMAL) uniform texture2D normal;
 layout(set = 0, binding = MOTION) uniform texture2D motion;
 layout(set = 0, binding = ROUGHNESS) uniform texture2D roughness;
 layout(set = 0, binding = INSTANCE_TRANSFORMS, std430) readonly buffer InstanceTransforms { vec4 rows[]; } instance_transforms;
@@ -46,7 +50,7 @@ layout(set = 0, binding = 9, r32ui) uniform writeonly uimage2D depth_gradient;
 layout(set = 0, binding = OBJECT_NORMAL) uniform texture2D object_normal;
 layout(set = 0, binding = OBJECT_NORMAL_GUIDE, r32ui) uniform writeonly uimage2D object_normal_guide;
 #if SURFACE_ID
-layout(set = 0, binding = 12) uniform utexture2D surface_id;
+layout(set = 0, binding = SURFACE_ID_IMAGE) uniform utexture2D surface_id;
 #endif
 
 #include "instance_transform.glsl"
@@ -63,7 +67,7 @@ const uint MOTION_DEPTH_DIFFERENCE = 1u;
 
 uint id_at(ivec2 p) {
 #if SURFACE_ID
-    return texelFetch(surface_id, p, 0).x;
+    return texelFetch(surface_id, host_pixel(SURFACE_ID_IMAGE, p), 0).x;
 #else
     return 1u;
 #endif
@@ -95,7 +99,7 @@ vec3 decode_normal(vec3 v) {
 
 vec3 world_normal(ivec2 p, bool background) {
     vec3 towards_camera = normalize(mat3(frame.world_from_view) * vec3(0.0, 0.0, -forward_sign()));
-    vec3 n = decode_normal(texelFetch(normal, p, 0).xyz);
+    vec3 n = decode_normal(texelFetch(normal, host_pixel(NORMAL, p), 0).xyz);
     if (has_convention(NORMAL_VIEW)) n = mat3(frame.world_from_view) * n;
     // Not finite either where a component is not, or is too large to be squared.
     float squared = dot(n, n);
@@ -128,7 +132,7 @@ vec4 carry(vec4 world, uint id, inout vec3 n) {
 bool host_motion(ivec2 p, out vec3 m) {
     m = vec3(0.0);
     if (!is_present(MOTION)) return false;
-    m = texelFetch(motion, p, 0).xyz;
+    m = texelFetch(motion, host_pixel(MOTION, p), 0).xyz;
     bool bad = !is_finite(m.xy);
     if (bad) count_bad(BAD_MOTION);
     vec2 previous_extent = vec2(frame.previous_render_extent);
@@ -176,7 +180,7 @@ float gradient_along(ivec2 p, ivec2 axis, float z, uint id) {
     bool found = false;
     [[unroll]] for (int side = 1; side >= -1; side -= 2) {
         ivec2 q = p + axis * side, tap = is_inside(q) ? q : p;
-        float z_q = depth_of(texelFetch(depth, tap, 0).x, id, tap);
+        float z_q = depth_of(texelFetch(depth, host_pixel(DEPTH, tap), 0).x, id, tap);
         float difference = (z_q - z) * float(side);
         bool nearer = q == tap && z_q > 0.0 && (!found || abs(difference) < abs(best));
         best = nearer ? difference : best;
@@ -185,18 +189,18 @@ float gradient_along(ivec2 p, ivec2 axis, float z, uint id) {
     return clamp(best, -65504.0, 65504.0);
 }
 
-bool is_dark_at(ivec2 p) { return is_present(ALBEDO) && darkness_of(reflectance_of(texelFetch(albedo, p, 0).rgb)) > 0.5; }
+bool is_dark_at(ivec2 p) { return is_present(ALBEDO) && darkness_of(reflectance_of(texelFetch(albedo, host_pixel(ALBEDO, p), 0).rgb)) > 0.5; }
 
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
     uint id = id_at(p);
-    float d = texelFetch(depth, p, 0).x;
+    float d = texelFetch(depth, host_pixel(DEPTH, p), 0).x;
     if (is_nan(d)) count_bad(BAD_DEPTH);
     float z = depth_of(d, id, p);
     bool background = z == 0.0;
     vec3 n = world_normal(p, background);
-    float rough = is_present(ROUGHNESS) ? stored_roughness(texelFetch(roughness, p, 0)) : 1.0;
+    float rough = is_present(ROUGHNESS) ? stored_roughness(texelFetch(roughness, host_pixel(ROUGHNESS, p), 0)) : 1.0;
     if (!background && !is_roughness(rough)) count_bad(BAD_ROUGHNESS);
     imageStore(guide, p, background ? uvec4(0u) : pack_guide(Guide(z, is_dark_at(p), n, roughness_of(rough), fold_id(id))).bits);
     uvec4 packed_motion = pack_surface_motion(motion_of(p, z, id, n));
@@ -204,7 +208,7 @@ void main() {
     vec2 gradient = vec2(gradient_along(p, ivec2(1, 0), z, id), gradient_along(p, ivec2(0, 1), z, id));
     imageStore(depth_gradient, p, uvec4(background ? 0u : packHalf2x16(gradient), 0u, 0u, 0u));
     if (!is_present(OBJECT_NORMAL) || !is_present(OBJECT_NORMAL_GUIDE)) return;
-    vec3 o = texelFetch(object_normal, p, 0).xyz;
+    vec3 o = texelFetch(object_normal, host_pixel(OBJECT_NORMAL, p), 0).xyz;
     float squared = dot(o, o);
     bool usable = is_finite(o) && is_finite(squared) && squared >= 1e-8;
     imageStore(object_normal_guide, p, uvec4(pack_octahedral(usable ? o * inversesqrt(squared) : vec3(0.0, 0.0, 1.0), 511.0, 10u), 0u, 0u, 0u));

@@ -18,6 +18,7 @@ layout(push_constant) uniform Push {
 
 #define GUIDE_PIXELS
 #include "frame.glsl"
+#include "viewport.glsl"
 #include "optional.glsl"
 #include "conventions.glsl"
 #include "statistics.glsl"
@@ -30,6 +31,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 const uint ALBEDO = 3u;
 const uint EMISSION = 4u;
+const uint DENOISED_RADIANCE = 5u;
+const uint FILTERED_0 = 6u;
 const uint FILTERED_1 = 7u;
 const uint SPECULAR_ALBEDO = 8u;
 const uint SPECULAR_F0 = 9u;
@@ -37,15 +40,15 @@ const uint SPECULAR_F0 = 9u;
 layout(set = 0, binding = 2) uniform utexture2D guide;
 layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
 layout(set = 0, binding = EMISSION) uniform texture2D emission;
-layout(set = 0, binding = 5, OUTGOING_FORMAT) uniform writeonly image2D denoised_radiance;
-layout(set = 0, binding = 6) uniform texture2D filtered_0;
+layout(set = 0, binding = DENOISED_RADIANCE, OUTGOING_FORMAT) uniform writeonly image2D denoised_radiance;
+layout(set = 0, binding = FILTERED_0) uniform texture2D filtered_0;
 layout(set = 0, binding = FILTERED_1) uniform texture2D filtered_1;
 layout(set = 0, binding = SPECULAR_ALBEDO) uniform texture2D specular_albedo;
 layout(set = 0, binding = SPECULAR_F0) uniform texture2D specular_f0;
 
 vec3 factor_at(ivec2 p) {
     if (!is_present(ALBEDO) || guide_depth(GuideBits(texelFetch(guide, p, 0))) == 0.0) return vec3(1.0);
-    vec3 a = texelFetch(albedo, p, 0).rgb;
+    vec3 a = texelFetch(albedo, host_pixel(ALBEDO, p), 0).rgb;
     if (!has_convention(DEMODULATED)) return divisor_of(a);
     if (!is_finite(a)) count_bad(BAD_ALBEDO);
     return reflectance_of(a);
@@ -53,12 +56,12 @@ vec3 factor_at(ivec2 p) {
 
 vec3 specular_factor_at(ivec2 p) {
     GuideBits packed = GuideBits(texelFetch(guide, p, 0));
-    return divisor_from(p, packed, is_present(SPECULAR_ALBEDO), specular_albedo, is_present(SPECULAR_F0), specular_f0);
+    return divisor_from(p, packed, is_present(SPECULAR_ALBEDO), SPECULAR_ALBEDO, specular_albedo, is_present(SPECULAR_F0), SPECULAR_F0, specular_f0);
 }
 
 vec3 emission_at(ivec2 p) {
     if (!is_present(EMISSION)) return vec3(0.0);
-    vec3 e = texelFetch(emission, p, 0).rgb;
+    vec3 e = texelFetch(emission, host_pixel(EMISSION, p), 0).rgb;
     if (is_finite(e)) return e;
     count_bad(BAD_EMISSION);
     return vec3(0.0);
@@ -67,12 +70,12 @@ vec3 emission_at(ivec2 p) {
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
-    vec3 irradiance = texelFetch(filtered_0, p, 0).rgb;
-    vec3 second = is_present(FILTERED_1) ? texelFetch(filtered_1, p, 0).rgb : vec3(0.0);
+    vec3 irradiance = texelFetch(filtered_0, host_pixel(FILTERED_0, p), 0).rgb;
+    vec3 second = is_present(FILTERED_1) ? texelFetch(filtered_1, host_pixel(FILTERED_1, p), 0).rgb : vec3(0.0);
     if (!SPECULAR) irradiance += second;
     vec3 radiance = irradiance * factor_at(p);
     if (SPECULAR) radiance += second * specular_factor_at(p);
     radiance = radiance * frame.inverse_filter_exposure + emission_at(p);
     if (is_too_bright(radiance)) count_bad(SATURATED);
-    imageStore(denoised_radiance, p, vec4(outgoing(radiance), 1.0));
+    imageStore(denoised_radiance, host_pixel(DENOISED_RADIANCE, p), vec4(outgoing(radiance), 1.0));
 }

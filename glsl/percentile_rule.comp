@@ -15,6 +15,7 @@ layout(push_constant) uniform Push {
 } push;
 
 #include "frame.glsl"
+#include "viewport.glsl"
 #include "optional.glsl"
 #include "luminance.glsl"
 #include "nearest_history.glsl"
@@ -23,10 +24,11 @@ layout(push_constant) uniform Push {
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
+const uint HISTORY_CONFIDENCE = 1u;
 const uint BLOCK_PERCENTILES_1 = 8u;
 const uint HISTORY_1 = 9u;
 
-layout(set = 0, binding = 1, r32f) uniform writeonly image2D history_confidence;
+layout(set = 0, binding = HISTORY_CONFIDENCE, r32f) uniform writeonly image2D history_confidence;
 layout(set = 0, binding = 2) uniform utexture2D guide;
 layout(set = 0, binding = 3) uniform utexture2D previous_guide;
 layout(set = 0, binding = 4) uniform utexture2D surface_motion;
@@ -73,5 +75,5 @@ float confidence_at(ivec2 p) {
 
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
-    if (is_inside(p)) imageStore(history_confidence, p, vec4(confidence_at(p)));
+    if (is_inside(p)) imageStore(history_confidence, host_pixel(HISTORY_CONFIDENCE, p), vec4(confidence_at(p)));
 }

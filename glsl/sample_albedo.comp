@@ -14,6 +14,7 @@ layout(push_constant) uniform Push {
 } push;
 
 #include "frame.glsl"
+#include "viewport.glsl"
 #include "optional.glsl"
 #include "guide.glsl"
 #include "specular_albedo.glsl"
@@ -43,7 +44,7 @@ vec3 as_halves(vec3 v) {
 
 vec3 divisor_at(ivec2 p) {
     GuideBits packed = GuideBits(texelFetch(guide, p, 0));
-    return as_halves(divisor_from(p, packed, is_present(ALBEDO), albedo, is_present(SPECULAR_F0), specular_f0));
+    return as_halves(divisor_from(p, packed, is_present(ALBEDO), ALBEDO, albedo, is_present(SPECULAR_F0), SPECULAR_F0, specular_f0));
 }
 
 void main() {

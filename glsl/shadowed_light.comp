@@ -14,6 +14,7 @@ layout(push_constant) uniform Push {
 
 #define GUIDE_PIXELS
 #include "frame.glsl"
+#include "viewport.glsl"
 #include "optional.glsl"
 #include "outgoing.glsl"
 #include "statistics.glsl"
@@ -22,11 +23,13 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 1) const bool COLOURED = false;
 
+const uint DENOISED_VISIBILITY = 2u;
+const uint RADIANCE = 3u;
 const uint UNSHADOWED_DIRECT = 4u;
 const uint OF_OTHERS = 8u;
 
-layout(set = 0, binding = 2) uniform texture2D denoised_visibility;
-layout(set = 0, binding = 3, OUTGOING_FORMAT) uniform image2D radiance;
+layout(set = 0, binding = DENOISED_VISIBILITY) uniform texture2D denoised_visibility;
+layout(set = 0, binding = RADIANCE, OUTGOING_FORMAT) uniform image2D radiance;
 layout(set = 0, binding = UNSHADOWED_DIRECT) uniform texture2D unshadowed_direct;
 layout(set = 0, binding = UNSHADOWED_DIRECT + 1u) uniform texture2D unshadowed_direct_1;
 layout(set = 0, binding = UNSHADOWED_DIRECT + 2u) uniform texture2D unshadowed_direct_2;
@@ -48,11 +51,11 @@ bool add(inout vec3 sum, vec3 light, vec3 visibility) {
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
-    vec3 sum = imageLoad(radiance, p).rgb;
+    vec3 sum = imageLoad(radiance, host_pixel(RADIANCE, p)).rgb;
     bool any = false;
-    if (is_present(UNSHADOWED_DIRECT)) any = add(sum, texelFetch(unshadowed_direct, p, 0).rgb, texelFetch(denoised_visibility, p, 0).rgb);
-    if (is_present(UNSHADOWED_DIRECT + 1u) && is_present(OF_OTHERS)) any = add(sum, texelFetch(unshadowed_direct_1, p, 0).rgb, texelFetch(denoised_visibility_1, p, 0).rgb) || any;
-    if (is_present(UNSHADOWED_DIRECT + 2u) && is_present(OF_OTHERS + 1u)) any = add(sum, texelFetch(unshadowed_direct_2, p, 0).rgb, texelFetch(denoised_visibility_2, p, 0).rgb) || any;
-    if (is_present(UNSHADOWED_DIRECT + 3u) && is_present(OF_OTHERS + 2u)) any = add(sum, texelFetch(unshadowed_direct_3, p, 0).rgb, texelFetch(denoised_visibility_3, p, 0).rgb) || any;
-    if (any) imageStore(radiance, p, vec4(outgoing(sum), 1.0));
+    if (is_present(UNSHADOWED_DIRECT)) any = add(sum, texelFetch(unshadowed_direct, host_pixel(UNSHADOWED_DIRECT, p), 0).rgb, texelFetch(denoised_visibility, host_pixel(DENOISED_VISIBILITY, p), 0).rgb);
+    if (is_present(UNSHADOWED_DIRECT + 1u) && is_present(OF_OTHERS)) any = add(sum, texelFetch(unshadowed_direct_1, host_pixel(UNSHADOWED_DIRECT + 1u, p), 0).rgb, texelFetch(denoised_visibility_1, host_pixel(OF_OTHERS, p), 0).rgb) || any;
+    if (is_present(UNSHADOWED_DIRECT + 2u) && is_present(OF_OTHERS + 1u)) any = add(sum, texelFetch(unshadowed_direct_2, host_pixel(UNSHADOWED_DIRECT + 2u, p), 0).rgb, texelFetch(denoised_visibility_2, host_pixel(OF_OTHERS + 1u, p), 0).rgb) || any;
+    if (is_present(UNSHADOWED_DIRECT + 3u) && is_present(OF_OTHERS + 2u)) any = add(sum, texelFetch(unshadowed_direct_3, host_pixel(UNSHADOWED_DIRECT + 3u, p), 0).rgb, texelFetch(denoised_visibility_3, host_pixel(OF_OTHERS + 2u, p), 0).rgb) || any;
+    if (any) imageStore(radiance, host_pixel(RADIANCE, p), vec4(outgoing(sum), 1.0));
 }

@@ -31,6 +31,7 @@ layout(push_constant) uniform Push {
 } push;
 
 #include "frame.glsl"
+#include "viewport.glsl"
 #include "optional.glsl"
 #include "statistics.glsl"
 #include "packed_image.glsl"
@@ -227,7 +228,7 @@ bool is_in_lobe(vec2 position, vec3 thing, float roughness) {
 // Frames that a past is worth whose content is `error` pixels off in each of them.
 float worth(float frames, float error, float tolerance) { return min(frames, tolerance / max(error, 1e-4)); }
 
-float change_at(ivec2 p) { return is_present(HISTORY_CONFIDENCE) ? 1.0 - texelFetch(history_confidence, p, 0).x : 0.0; }
+float change_at(ivec2 p) { return is_present(HISTORY_CONFIDENCE) ? 1.0 - texelFetch(history_confidence, host_pixel(HISTORY_CONFIDENCE, p), 0).x : 0.0; }
 
 // Logarithms of light of now beside those of the past, over pixels.
 struct LogDifference {
@@ -395,7 +396,7 @@ void main() {
     if (!is_inside(p)) return;
     GuideBits packed = GuideBits(packed_at(guide, p));
     vec4 value = texelFetch(noisy, p, 0);
-    float rough = roughness_of(is_present(ROUGHNESS) ? stored_roughness(texelFetch(roughness, guide_pixel(p), 0)) : 1.0);
+    float rough = roughness_of(is_present(ROUGHNESS) ? stored_roughness(texelFetch(roughness, host_pixel(ROUGHNESS, guide_pixel(p)), 0)) : 1.0);
     bool background = guide_depth(packed) == 0.0;
     float worth = sample_worth(value.a);
     LuminanceHistory luminance_history = first_luminance(value.rgb, worth, background ? REASON_NONE : REASON_RESET);

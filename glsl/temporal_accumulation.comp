@@ -32,6 +32,7 @@ layout(push_constant) uniform Push {
 
 #include "cubic.glsl"
 #include "frame.glsl"
+#include "viewport.glsl"
 #include "optional.glsl"
 #include "surface_motion.glsl"
 #include "luminance_history.glsl"
@@ -216,7 +217,7 @@ Expected expectation(ivec2 p, GuideBits packed, out vec2 motion) {
 }
 
 // How far light changed at a pixel: 0, not at all, to 1.
-float change_at(ivec2 p) { return is_present(HISTORY_CONFIDENCE) ? 1.0 - texelFetch(history_confidence, p, 0).x : 0.0; }
+float change_at(ivec2 p) { return is_present(HISTORY_CONFIDENCE) ? 1.0 - texelFetch(history_confidence, host_pixel(HISTORY_CONFIDENCE, p), 0).x : 0.0; }
 
 // How much brighter each component of the light is than in the frame before, smooth between strata.
 vec3 light_ratio_at(ivec2 p) {

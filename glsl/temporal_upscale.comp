@@ -24,6 +24,7 @@ layout(push_constant) uniform Push {
 
 #define GUIDE_PIXELS
 #include "frame.glsl"
+#include "viewport.glsl"
 #include "optional.glsl"
 #include "surface_motion.glsl"
 #include "outgoing.glsl"
@@ -32,10 +33,12 @@ layout(push_constant) uniform Push {
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
+const uint RADIANCE_0 = 1u;
 const uint RADIANCE_1 = 2u;
 const uint ALBEDO = 3u;
+const uint UPSCALED_RADIANCE = 9u;
 
-layout(set = 0, binding = 1) uniform texture2D radiance_0;
+layout(set = 0, binding = RADIANCE_0) uniform texture2D radiance_0;
 layout(set = 0, binding = RADIANCE_1) uniform texture2D radiance_1;
 layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
 // Storage images where neighbours are read, for the reasons that packed_image.glsl has.
@@ -44,7 +47,7 @@ layout(set = 0, binding = 5, rgba16ui) uniform restrict readonly uimage2D previo
 layout(set = 0, binding = 6) uniform utexture2D surface_motion;
 layout(set = 0, binding = 7, rgba16f) uniform restrict readonly image2D previous_history;
 layout(set = 0, binding = 8, rgba16f) uniform writeonly image2D upscale_history;
-layout(set = 0, binding = 9, OUTGOING_FORMAT) uniform writeonly image2D upscaled_radiance;
+layout(set = 0, binding = UPSCALED_RADIANCE, OUTGOING_FORMAT) uniform writeonly image2D upscaled_radiance;
 
 // Sharpness of the Gaussian of samples: of a first picture, by squared rendered pixels; of one with a past, by squared pixels of the output.
 const float SHARPNESS = 2.29;
@@ -98,13 +101,13 @@ struct Sample {
 };
 
 Sample sample_at(ivec2 q) {
-    vec3 radiance = texelFetch(radiance_0, q, 0).rgb;
-    if (is_present(RADIANCE_1)) radiance += texelFetch(radiance_1, q, 0).rgb;
+    vec3 radiance = texelFetch(radiance_0, host_pixel(RADIANCE_0, q), 0).rgb;
+    if (is_present(RADIANCE_1)) radiance += texelFetch(radiance_1, host_pixel(RADIANCE_1, q), 0).rgb;
     Sample s;
     s.radiance = clamp(exposed(radiance), 0.0, brightest_sample());
     s.irradiance = clamp(exposed(radiance), 0.0, BRIGHTEST_SAMPLE);
     s.depth = guide_depth(GuideBits(imageLoad(guide, q)));
-    if (is_present(ALBEDO) && s.depth > 0.0) s.irradiance /= divisor_of(texelFetch(albedo, q, 0).rgb);
+    if (is_present(ALBEDO) && s.depth > 0.0) s.irradiance /= divisor_of(texelFetch(albedo, host_pixel(ALBEDO, q), 0).rgb);
     return s;
 }
 
@@ -139,7 +142,7 @@ Neighbourhood neighbourhood(ivec2 p) {
     around.nearest = nearest_inside(middle);
     float total = 0.0, box_total = 0.0, light_total = 0.0, depth = NOWHERE;
     // Moments around one of the colours: the difference of squares would cancel otherwise.
-    vec3 pivot = clamp(exposed(texelFetch(radiance_0, around.nearest, 0).rgb), 0.0, brightest_sample());
+    vec3 pivot = clamp(exposed(texelFetch(radiance_0, host_pixel(RADIANCE_0, around.nearest), 0).rgb), 0.0, brightest_sample());
     pivot = ycocg(pivot * evenness(pivot));
     [[unroll]] for (int y = 0; y < 3; ++y)
         [[unroll]] for (int x = 0; x < 3; ++x) {
@@ -276,5 +279,5 @@ void main() {
         }
     }
     imageStore(upscale_history, p, vec4(storable(colour / around.light), storable(vec4(past + around.weight)).a));
-    imageStore(upscaled_radiance, p, vec4(outgoing(colour * frame.inverse_filter_exposure), 1.0));
+    imageStore(upscaled_radiance, host_pixel(UPSCALED_RADIANCE, p), vec4(outgoing(colour * frame.inverse_filter_exposure), 1.0));
 }

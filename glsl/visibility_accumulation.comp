@@ -38,6 +38,7 @@ layout(push_constant) uniform Push {
 
 #include "cubic.glsl"
 #include "frame.glsl"
+#include "viewport.glsl"
 #include "geometry_weights.glsl"
 #include "optional.glsl"
 #include "packed_image.glsl"
@@ -46,6 +47,7 @@ layout(push_constant) uniform Push {
 #include "visibility.glsl"
 #include "light_radius.glsl"
 
+const uint OCCLUDER_DISTANCE = 8u;
 const uint INSTANCE_TRANSFORMS = 9u;
 // Of the first light; those of others follow.
 const uint OCCLUDER_ID = 11u + 3u * COLOUR;
@@ -64,7 +66,7 @@ layout(set = 0, binding = 4) uniform utexture2D surface_motion;
 layout(set = 0, binding = 5) uniform utexture2D depth_gradient;
 layout(set = 0, binding = 6, WORDS_FORMAT) uniform restrict readonly uimage2D visibility_samples;
 layout(set = 0, binding = 7) uniform utexture2D previous_visibility_history;
-layout(set = 0, binding = 8) uniform texture2D occluder_distance;
+layout(set = 0, binding = OCCLUDER_DISTANCE) uniform texture2D occluder_distance;
 layout(set = 0, binding = INSTANCE_TRANSFORMS, std430) readonly buffer InstanceTransforms { vec4 rows[]; } instance_transforms;
 layout(set = 0, binding = 10, WORDS_FORMAT) uniform writeonly uimage2D visibility_history;
 #if COLOUR
@@ -89,11 +91,11 @@ layout(set = 0, binding = OCCLUDER_MOTION + 6u) uniform texture2D occluder_dista
 float occluder_distance_of(const int light, ivec2 p) {
 #if MANY
     if (light > 0 && !is_present(OCCLUDER_MOTION + 3u + uint(light))) return 0.0;
-    if (light == 1) return texelFetch(occluder_distance_1, p, 0).x;
-    if (light == 2) return texelFetch(occluder_distance_2, p, 0).x;
-    if (light == 3) return texelFetch(occluder_distance_3, p, 0).x;
+    if (light == 1) return texelFetch(occluder_distance_1, host_pixel(OCCLUDER_MOTION + 4u, p), 0).x;
+    if (light == 2) return texelFetch(occluder_distance_2, host_pixel(OCCLUDER_MOTION + 5u, p), 0).x;
+    if (light == 3) return texelFetch(occluder_distance_3, host_pixel(OCCLUDER_MOTION + 6u, p), 0).x;
 #endif
-    return texelFetch(occluder_distance, p, 0).x;
+    return texelFetch(occluder_distance, host_pixel(OCCLUDER_DISTANCE, p), 0).x;
 }
 
 bool has_occluder_motion(const int light) { return is_present(OCCLUDER_MOTION + uint(light)); }
@@ -101,22 +103,22 @@ bool has_occluder_motion(const int light) { return is_present(OCCLUDER_MOTION + 
 vec3 occluder_motion_of(const int light, ivec2 p) {
     if (!has_occluder_motion(light)) return vec3(0.0);
 #if MANY
-    if (light == 1) return texelFetch(occluder_motion_1, p, 0).xyz;
-    if (light == 2) return texelFetch(occluder_motion_2, p, 0).xyz;
-    if (light == 3) return texelFetch(occluder_motion_3, p, 0).xyz;
+    if (light == 1) return texelFetch(occluder_motion_1, host_pixel(OCCLUDER_MOTION + 1u, p), 0).xyz;
+    if (light == 2) return texelFetch(occluder_motion_2, host_pixel(OCCLUDER_MOTION + 2u, p), 0).xyz;
+    if (light == 3) return texelFetch(occluder_motion_3, host_pixel(OCCLUDER_MOTION + 3u, p), 0).xyz;
 #endif
-    return texelFetch(occluder_motion, p, 0).xyz;
+    return texelFetch(occluder_motion, host_pixel(OCCLUDER_MOTION, p), 0).xyz;
 }
 
 // 0 where the host gives none.
 uint occluder_id_of(const int light, ivec2 p) {
     if (!is_present(OCCLUDER_ID + uint(light))) return 0u;
 #if MANY
-    if (light == 1) return texelFetch(occluder_id_1, p, 0).x;
-    if (light == 2) return texelFetch(occluder_id_2, p, 0).x;
-    if (light == 3) return texelFetch(occluder_id_3, p, 0).x;
+    if (light == 1) return texelFetch(occluder_id_1, host_pixel(OCCLUDER_ID + 1u, p), 0).x;
+    if (light == 2) return texelFetch(occluder_id_2, host_pixel(OCCLUDER_ID + 2u, p), 0).x;
+    if (light == 3) return texelFetch(occluder_id_3, host_pixel(OCCLUDER_ID + 3u, p), 0).x;
 #endif
-    return texelFetch(occluder_id, p, 0).x;
+    return texelFetch(occluder_id, host_pixel(OCCLUDER_ID, p), 0).x;
 }
 
 #include "shadow_motion.glsl"

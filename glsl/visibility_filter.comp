@@ -42,6 +42,7 @@ layout(push_constant) uniform Push {
 #include "optional.glsl"
 #endif
 #include "frame.glsl"
+#include "viewport.glsl"
 #include "geometry_weights.glsl"
 #include "packed_image.glsl"
 #include "visibility.glsl"
@@ -63,7 +64,8 @@ layout(set = 0, binding = 4) uniform utexture2D filter_in;
 #else
 #define DENOISED_FORMAT r32f
 #endif
-layout(set = 0, binding = 5, DENOISED_FORMAT) uniform writeonly image2D denoised_visibility;
+const uint DENOISED_VISIBILITY = 5u;
+layout(set = 0, binding = DENOISED_VISIBILITY, DENOISED_FORMAT) uniform writeonly image2D denoised_visibility;
 #else
 layout(set = 0, binding = 5, WORDS_FORMAT) uniform writeonly uimage2D filter_out;
 #endif
@@ -122,11 +124,11 @@ vec4 shown(VISIBLE v) {
 }
 
 void store(ivec2 p, Estimate found[MOST_LIGHTS]) {
-    imageStore(denoised_visibility, p, shown(found[0].visibility));
+    imageStore(denoised_visibility, host_pixel(DENOISED_VISIBILITY, p), shown(found[0].visibility));
 #if MANY
-    if (LIGHTS > 1u && is_present(OF_OTHERS)) imageStore(denoised_visibility_1, p, shown(found[1].visibility));
-    if (LIGHTS > 2u && is_present(OF_OTHERS + 1u)) imageStore(denoised_visibility_2, p, shown(found[2].visibility));
-    if (LIGHTS > 3u && is_present(OF_OTHERS + 2u)) imageStore(denoised_visibility_3, p, shown(found[3].visibility));
+    if (LIGHTS > 1u && is_present(OF_OTHERS)) imageStore(denoised_visibility_1, host_pixel(OF_OTHERS, p), shown(found[1].visibility));
+    if (LIGHTS > 2u && is_present(OF_OTHERS + 1u)) imageStore(denoised_visibility_2, host_pixel(OF_OTHERS + 1u, p), shown(found[2].visibility));
+    if (LIGHTS > 3u && is_present(OF_OTHERS + 2u)) imageStore(denoised_visibility_3, host_pixel(OF_OTHERS + 2u, p), shown(found[3].visibility));
 #endif
 }
 #else

@@ -17,15 +17,19 @@ layout(push_constant) uniform Push {
 #endif
 
 #include "frame.glsl"
+#include "viewport.glsl"
 #include "guide.glsl"
 #include "statistics.glsl"
 #include "visibility.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
+const uint NOISY_VISIBILITY = 3u;
+const uint OCCLUDER_DISTANCE = 4u;
+
 layout(set = 0, binding = 2) uniform utexture2D guide;
-layout(set = 0, binding = 3) uniform texture2D noisy_visibility;
-layout(set = 0, binding = 4) uniform texture2D occluder_distance;
+layout(set = 0, binding = NOISY_VISIBILITY) uniform texture2D noisy_visibility;
+layout(set = 0, binding = OCCLUDER_DISTANCE) uniform texture2D occluder_distance;
 layout(set = 0, binding = 5, WORDS_FORMAT) uniform writeonly uimage2D visibility_samples;
 #if COLOUR
 layout(set = 0, binding = 6, WORDS_FORMAT) uniform writeonly uimage2D sample_colours;
@@ -46,21 +50,21 @@ const float NO_SAMPLE = -1.0;
 vec3 given_visibility(const int light, ivec2 p) {
 #if MANY
     if (light > 0 && !is_present(VISIBILITY_OF_OTHERS + uint(light) - 1u)) return vec3(1.0);
-    if (light == 1) return texelFetch(noisy_visibility_1, p, 0).rgb;
-    if (light == 2) return texelFetch(noisy_visibility_2, p, 0).rgb;
-    if (light == 3) return texelFetch(noisy_visibility_3, p, 0).rgb;
+    if (light == 1) return texelFetch(noisy_visibility_1, host_pixel(VISIBILITY_OF_OTHERS, p), 0).rgb;
+    if (light == 2) return texelFetch(noisy_visibility_2, host_pixel(VISIBILITY_OF_OTHERS + 1u, p), 0).rgb;
+    if (light == 3) return texelFetch(noisy_visibility_3, host_pixel(VISIBILITY_OF_OTHERS + 2u, p), 0).rgb;
 #endif
-    return texelFetch(noisy_visibility, p, 0).rgb;
+    return texelFetch(noisy_visibility, host_pixel(NOISY_VISIBILITY, p), 0).rgb;
 }
 
 float given_distance(const int light, ivec2 p) {
 #if MANY
     if (light > 0 && !is_present(DISTANCE_OF_OTHERS + uint(light) - 1u)) return 0.0;
-    if (light == 1) return texelFetch(occluder_distance_1, p, 0).x;
-    if (light == 2) return texelFetch(occluder_distance_2, p, 0).x;
-    if (light == 3) return texelFetch(occluder_distance_3, p, 0).x;
+    if (light == 1) return texelFetch(occluder_distance_1, host_pixel(DISTANCE_OF_OTHERS, p), 0).x;
+    if (light == 2) return texelFetch(occluder_distance_2, host_pixel(DISTANCE_OF_OTHERS + 1u, p), 0).x;
+    if (light == 3) return texelFetch(occluder_distance_3, host_pixel(DISTANCE_OF_OTHERS + 2u, p), 0).x;
 #endif
-    return texelFetch(occluder_distance, p, 0).x;
+    return texelFetch(occluder_distance, host_pixel(OCCLUDER_DISTANCE, p), 0).x;
 }
 
 VISIBLE visibility_at(const int light, ivec2 p) {

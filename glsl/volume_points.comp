@@ -14,6 +14,7 @@ layout(push_constant) uniform Push {
 } push;
 
 #include "frame.glsl"
+#include "viewport.glsl"
 #include "optional.glsl"
 #include "statistics.glsl"
 #include "holes.glsl"
@@ -22,9 +23,10 @@ layout(push_constant) uniform Push {
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
+const uint NOISY_VOLUME = 2u;
 const uint SCATTERING_DEPTH = 3u;
 
-layout(set = 0, binding = 2) uniform texture2D noisy_volume;
+layout(set = 0, binding = NOISY_VOLUME) uniform texture2D noisy_volume;
 layout(set = 0, binding = SCATTERING_DEPTH) uniform texture2D scattering_depth;
 layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D radiance;
 layout(set = 0, binding = 5, rgba16ui) uniform writeonly uimage2D volume_points;
@@ -34,7 +36,7 @@ vec4 filled(ivec2 p) {
     vec4 sum = vec4(0.0);
     [[dont_unroll]] for (int i = 0; i < 9; ++i) {
         ivec2 offset = ivec2(i % 3 - 1, i / 3 - 1), q = p + offset;
-        vec3 c = texelFetch(noisy_volume, nearest_inside(q), 0).rgb;
+        vec3 c = texelFetch(noisy_volume, host_pixel(NOISY_VOLUME, nearest_inside(q)), 0).rgb;
         if (i == 4 || !is_inside(q) || !is_finite(c)) continue;
         sum += vec4(storable(exposed(c)), 1.0) / float(offset.x * offset.x + offset.y * offset.y);
     }
@@ -42,7 +44,7 @@ vec4 filled(ivec2 p) {
 }
 
 vec4 radiance_at(ivec2 p) {
-    vec3 c = texelFetch(noisy_volume, p, 0).rgb;
+    vec3 c = texelFetch(noisy_volume, host_pixel(NOISY_VOLUME, p), 0).rgb;
     if (is_finite(c)) {
         if (is_saturated(exposed(c))) count_bad(SATURATED);
         return vec4(half_range(exposed(c)), 0.0);
@@ -54,7 +56,7 @@ vec4 radiance_at(ivec2 p) {
 // Linear depth of the pixel's point; 0: there is none.
 float depth_at(ivec2 p) {
     if (!is_present(SCATTERING_DEPTH)) return 0.0;
-    float z = texelFetch(scattering_depth, p, 0).x;
+    float z = texelFetch(scattering_depth, host_pixel(SCATTERING_DEPTH, p), 0).x;
     if (is_nan(z)) count_bad(BAD_SCATTERING_DEPTH);
     return is_finite(z) && z > 0.0 ? z : 0.0;
 }

@@ -22,6 +22,10 @@ step cargo "+$version" check --quiet --target-dir target/release-check --lib "${
 # The tests of the laboratory, the demo and the window may ask for more.
 step cargo "+$version" check --quiet --target-dir target/release-check --package atrous --tests --features capture,hot-reload
 step cargo package --quiet --target-dir target/release-check "${packages[@]}"
+# The plugin for Bevy is a workspace of its own, where the registry must have the others before it can be compiled.
+bevy=$(sed -n 's/^rust-version = "\(.*\)"$/\1/p' crates/bevy/Cargo.toml)
+cargo "+$bevy" --version >/dev/null 2>&1 || rustup toolchain install "$bevy" --profile minimal
+step cargo "+$bevy" package --quiet --no-verify --exclude-lockfile --target-dir target/release-check --manifest-path crates/bevy/Cargo.toml
 
 for name in "${names[@]}"; do
     # The internal compiler of GLSL is shown to nobody.

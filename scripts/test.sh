@@ -2,16 +2,20 @@
 # Passes the tests: formatting, lints, docs, and every test under the Vulkan validation layer. Installs what is missing.
 # --bevy: those of crates/bevy and examples/host_bevy alone, a workspace of its own: Bevy takes as long to build as all else, and
 # asks for a newer compiler, which is installed beside the one that is there.
+# --solari: examples/solari alone, in the same workspace, on the software Vulkan of Debian's backports, which has ray queries: it is
+# unpacked under target and not installed.
 # --blade: those of examples/host_blade alone, on a copy of blade-graphics that shows its Vulkan handles.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bevy=false
 blade=false
+solari=false
 for option in "$@"; do
     case $option in
         --bevy) bevy=true ;;
         --blade) blade=true ;;
-        *) echo "test.sh: unknown option $option: --bevy and --blade are known" >&2; exit 1 ;;
+        --solari) solari=true ;;
+        *) echo "test.sh: unknown option $option: --bevy, --solari and --blade are known" >&2; exit 1 ;;
     esac
 done
 scripts/setup.sh --test
@@ -38,13 +42,45 @@ step() {
     echo "-- $((SECONDS - began)) s"
 }
 
-if $bevy; then
+if $bevy || $solari; then
     host=(--manifest-path examples/host_bevy/Cargo.toml --target-dir target/bevy)
     version=$(sed -n 's/^rust-version = "\(.*\)"$/\1/p' examples/host_bevy/Cargo.toml)
     cargo "+$version" clippy --version >/dev/null 2>&1 || rustup toolchain install "$version" --profile minimal --component clippy
+fi
+
+# Unpacks Mesa 25 of Debian's backports, and prints its manifest.
+unpack_mesa() {
+    local to=$PWD/target/mesa25 file
+    local pool=https://deb.debian.org/debian/pool/main
+    mkdir -p "$to"
+    while read -r sum path; do
+        file=$to/${path##*/}
+        [ -e "$file" ] || curl -fsS "$pool/$path" -o "$file"
+        echo "$sum  $file" | sha256sum --check --quiet - >&2
+        dpkg-deb -x "$file" "$to"
+    done <<'END'
+3899f1800424c60a05df5d6913076a526ca8fdbabec43672cd397563d1ca3263 m/mesa/mesa-vulkan-drivers_25.0.7-2~bpo12+1_amd64.deb
+9cc2f341964286295124a32d3625edb76730500625e54a1e682761f883064d7b libd/libdrm/libdrm2_2.4.123-1~bpo12+1_amd64.deb
+END
+    local library=$to/usr/lib/x86_64-linux-gnu
+    sed "s#\"library_path\": \".*\"#\"library_path\": \"$library/libvulkan_lvp.so\"#" "$to/usr/share/vulkan/icd.d/lvp_icd.json" > "$to/lvp_icd.json"
+    echo "$to/lvp_icd.json"
+}
+
+if $solari; then
+    mesa=$(unpack_mesa)
+    step cargo "+$version" build "${host[@]}" --package solari --quiet
+    VK_DRIVER_FILES=$mesa VK_ICD_FILENAMES=$mesa LD_LIBRARY_PATH=${mesa%/*}/usr/lib/x86_64-linux-gnu \
+        step cargo "+$version" test "${host[@]}" --package solari --quiet
+    echo
+    echo "test.sh --solari: all passed, $SECONDS s"
+    exit
+fi
+
+if $bevy; then
     step cargo fmt "${host[@]:0:2}" --all --check
     step cargo "+$version" clippy "${host[@]}" --workspace --all-targets --features bevy_atrous/solari --quiet -- -D warnings
-    step cargo "+$version" test "${host[@]}" --workspace --quiet
+    step cargo "+$version" test "${host[@]}" --workspace --exclude solari --quiet
     echo
     echo "test.sh --bevy: all passed, $SECONDS s"
     exit

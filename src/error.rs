@@ -32,6 +32,32 @@ pub enum Error {
         /// Allocated extent, or render extent of a frame.
         rendered: [u32; 2],
     },
+    /// Images that are smaller than the picture.
+    #[error("Config::image_extent is {images:?}, and Config::allocated_extent {allocated:?}; your images hold the whole picture, so make them at least as large")]
+    ImageExtent {
+        /// The size of the images.
+        images: [u32; 2],
+        /// The allocated extent.
+        allocated: [u32; 2],
+    },
+    /// A part of larger images that has two sizes.
+    #[error("Config::image_extent is {images:?}, and Config::{other} makes pictures of two sizes. Leave one of both out")]
+    PartAndSize {
+        /// The other field.
+        other: &'static str,
+        /// The size of the images.
+        images: [u32; 2],
+    },
+    /// A picture that does not lie within its images.
+    #[error("FrameParams::viewport_origin is {given:?} and the render extent {render:?}, and the images have {images:?} pixels; give the first pixel of a part within them, and their size as Config::image_extent")]
+    ViewportOrigin {
+        /// The origin.
+        given: [u32; 2],
+        /// The render extent.
+        render: [u32; 2],
+        /// The size of the images.
+        images: [u32; 2],
+    },
     /// The pixel that light was traced for lies beyond its cell.
     #[error("FrameParams::light_offset is {given:?}, and each pixel of light stands for {ratio:?} rendered ones; each must be below that")]
     LightOffset {

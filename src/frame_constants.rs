@@ -37,6 +37,7 @@ pub struct FrameConstants {
     pub previous_guide_jitter: [f32; 2],
     pub light_ratio: [u32; 2],
     pub light_offset: [u32; 2],
+    pub viewport_origin: [u32; 2],
     pub motion_scale: f32,
 }
 

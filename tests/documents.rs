@@ -77,7 +77,7 @@ fn a_field_of_a_configuration_names_its_default() {
             let value = values.lines().find_map(|l| l.strip_prefix(&format!("    {field}: "))).expect(field).trim_end_matches(',');
             let expected = match *field {
                 "eaw_weights" => "Default: all three".to_owned(),
-                "levels" | "output_extent" | "light_extent" => "Default: none".to_owned(),
+                "levels" | "output_extent" | "light_extent" | "image_extent" => "Default: none".to_owned(),
                 _ if value == "inf" => "Default: infinity".to_owned(),
                 _ if value.starts_with(char::is_uppercase) => format!("::{value}`]"),
                 _ => format!("Default: {value}"),

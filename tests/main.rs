@@ -51,6 +51,7 @@ mod support;
 mod surfaces;
 mod sync_validation;
 mod upscaling;
+mod viewport;
 mod visibility;
 mod volume;
 
@@ -112,6 +113,7 @@ fn main() {
         Group { name: "surfaces", tests: surfaces::TESTS, needs_device: true },
         Group { name: "specular", tests: specular::TESTS, needs_device: true },
         Group { name: "upscaling", tests: upscaling::TESTS, needs_device: true },
+        Group { name: "viewport", tests: viewport::TESTS, needs_device: true },
         Group { name: "visibility", tests: visibility::TESTS, needs_device: true },
         Group { name: "volume", tests: volume::TESTS, needs_device: true },
     ];

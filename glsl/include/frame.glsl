@@ -40,6 +40,7 @@ layout(set = 0, binding = 0, std140) FRAME_ACCESS FrameConstants {
     vec2 previous_guide_jitter;     // pixels of the guides
     uvec2 light_ratio;              // pixels of the guides for each of the light
     uvec2 light_offset;             // pixels of the guides
+    uvec2 viewport_origin;          // pixels of the host's images
     float motion_scale;             // factor of the host's motion
 } frame;
 

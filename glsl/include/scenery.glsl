@@ -36,11 +36,11 @@ Scenery scenery_before(Mirror c, Curvature curvature, Reflection seen, out BadMo
     Scenery rest = at_rest(c, curvature, seen.hit_distance);
     bool has_transforms = is_present(INSTANCE_TRANSFORMS), has_ids = is_present(SPECULAR_HIT_ID) && has_transforms;
     if ((!has_ids && !is_present(SPECULAR_MOTION)) || !(seen.hit_distance > 0.0)) return rest;
-    vec3 motion = is_present(SPECULAR_MOTION) ? texelFetch(specular_motion, c.p, 0).xyz : vec3(0.0);
+    vec3 motion = is_present(SPECULAR_MOTION) ? texelFetch(specular_motion, host_pixel(SPECULAR_MOTION, c.p), 0).xyz : vec3(0.0);
     bad.motion = !is_finite(motion);
     bool has_motion = is_present(SPECULAR_MOTION) && !bad.motion;
-    uint thing_id = has_ids && !has_motion ? texelFetch(specular_hit_id, c.p, 0).x : 0u;
-    uint mirror_id = is_present(SURFACE_ID) && has_transforms ? texelFetch(surface_id, guide_pixel(c.p), 0).x : 0u;
+    uint thing_id = has_ids && !has_motion ? texelFetch(specular_hit_id, host_pixel(SPECULAR_HIT_ID, c.p), 0).x : 0u;
+    uint mirror_id = is_present(SURFACE_ID) && has_transforms ? texelFetch(surface_id, host_pixel(SURFACE_ID, guide_pixel(c.p)), 0).x : 0u;
     vec4 rows[3], thing = vec4(c.position + reflect(c.sight, c.normal) * seen.hit_distance, 1.0), to;
     Scenery before = rest;
     bool thing_moves = thing_id != 0u && instance_rows(thing_id, rows) && carried(rows, thing, to);

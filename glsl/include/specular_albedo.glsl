@@ -27,10 +27,10 @@ vec3 specular_albedo_from(vec3 f0, ivec2 p, GuideBits packed) {
 }
 
 // The divisor of a pixel: from an albedo, or else from the reflectance at normal incidence; 1 without either, and in the background.
-vec3 divisor_from(ivec2 p, GuideBits packed, bool has_albedo, texture2D albedo, bool has_f0, texture2D f0) {
+vec3 divisor_from(ivec2 p, GuideBits packed, bool has_albedo, uint albedo_binding, texture2D albedo, bool has_f0, uint f0_binding, texture2D f0) {
     if (guide_depth(packed) == 0.0) return vec3(1.0);
-    if (has_albedo) return divisor_of(texelFetch(albedo, guide_pixel(p), 0).rgb);
-    return has_f0 ? divisor_of(specular_albedo_from(texelFetch(f0, guide_pixel(p), 0).rgb, p, packed)) : vec3(1.0);
+    if (has_albedo) return divisor_of(texelFetch(albedo, host_pixel(albedo_binding, guide_pixel(p)), 0).rgb);
+    return has_f0 ? divisor_of(specular_albedo_from(texelFetch(f0, host_pixel(f0_binding, guide_pixel(p)), 0).rgb, p, packed)) : vec3(1.0);
 }
 
 #endif

@@ -12,7 +12,7 @@ const _: () = assert!(std::mem::offset_of!(FrameConstants, jitter) == 400);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, light_offset) == 648);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, light_ratio) == 640);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, lights) == 464);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, motion_scale) == 656);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, motion_scale) == 664);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, output_extent) == 592);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_from_world) == 128);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_w_offset) == 436);
@@ -26,6 +26,7 @@ const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_render_exten
 const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_view_from_world) == 192);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, render_extent) == 384);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, sample_from_world) == 320);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, viewport_origin) == 656);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, world_from_previous_sample) == 256);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, world_from_view) == 64);
 pub(crate) static ATROUS_SIGNALS_1: Shader = Shader {
@@ -49,6 +50,7 @@ pub(crate) static ATROUS_SIGNALS_1: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("OURS"), id: 3, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("LAST"), id: 4, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
     ]),
 };
 pub(crate) static ATROUS_SIGNALS_2: Shader = Shader {
@@ -74,6 +76,7 @@ pub(crate) static ATROUS_SIGNALS_2: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("OURS"), id: 3, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("LAST"), id: 4, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
     ]),
 };
 pub(crate) static ATROUS_SIGNALS_1_SPECULAR_1: Shader = Shader {
@@ -99,6 +102,7 @@ pub(crate) static ATROUS_SIGNALS_1_SPECULAR_1: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("OURS"), id: 3, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("LAST"), id: 4, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -153,6 +157,7 @@ pub(crate) static CHANGE_TEST: Shader = Shader {
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
     ]),
 };
 pub(crate) static CLEAR_CLAIMS: Shader = Shader {
@@ -204,6 +209,7 @@ pub(crate) static DEBUG_VIEW: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -230,6 +236,7 @@ pub(crate) static DEMODULATE_LUMINANCE_0: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("SAMPLING"), id: 1, scalar: Scalar::Uint, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -260,6 +267,7 @@ pub(crate) static DEMODULATE_LUMINANCE_1: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("SAMPLING"), id: 1, scalar: Scalar::Uint, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -342,6 +350,7 @@ pub(crate) static FILTER_EXPOSURE: Shader = Shader {
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
     ]),
 };
 pub(crate) static FIREFLY: Shader = Shader {
@@ -414,6 +423,7 @@ pub(crate) static FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -437,6 +447,7 @@ pub(crate) static FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -462,6 +473,7 @@ pub(crate) static FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -488,6 +500,7 @@ pub(crate) static FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -520,6 +533,7 @@ pub(crate) static GRADIENT: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("SOURCE"), id: 1, scalar: Scalar::Uint, default: 2 },
         SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
     ]),
 };
 pub(crate) static GRADIENT_ATROUS_RATIO_0: Shader = Shader {
@@ -584,6 +598,7 @@ pub(crate) static HISTORY_CONFIDENCE_SOURCE_0: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
     ]),
 };
 pub(crate) static HISTORY_CONFIDENCE_SOURCE_1: Shader = Shader {
@@ -596,6 +611,7 @@ pub(crate) static HISTORY_CONFIDENCE_SOURCE_1: Shader = Shader {
     members: Cow::Borrowed(&[
     ]),
     constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
     ]),
 };
 pub(crate) static IMPORT_SURFACE_ID_0: Shader = Shader {
@@ -620,6 +636,7 @@ pub(crate) static IMPORT_SURFACE_ID_0: Shader = Shader {
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -646,6 +663,7 @@ pub(crate) static IMPORT_SURFACE_ID_1: Shader = Shader {
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -690,6 +708,7 @@ pub(crate) static MODULATE_FLOAT_0: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("SPECULAR"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("WIDE"), id: 9, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -714,6 +733,7 @@ pub(crate) static MODULATE_FLOAT_1: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("SPECULAR"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("WIDE"), id: 9, scalar: Scalar::Bool, default: 1 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -739,6 +759,7 @@ pub(crate) static PERCENTILE_RULE: Shader = Shader {
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
     ]),
 };
 pub(crate) static REACTIVE_MASK: Shader = Shader {
@@ -758,6 +779,7 @@ pub(crate) static REACTIVE_MASK: Shader = Shader {
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
     ]),
 };
 pub(crate) static SAMPLE_ALBEDO: Shader = Shader {
@@ -780,6 +802,7 @@ pub(crate) static SAMPLE_ALBEDO: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -805,6 +828,7 @@ pub(crate) static SHADOWED_LIGHT_FLOAT_0: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("COLOURED"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("WIDE"), id: 9, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
     ]),
 };
 pub(crate) static SHADOWED_LIGHT_FLOAT_1: Shader = Shader {
@@ -829,6 +853,7 @@ pub(crate) static SHADOWED_LIGHT_FLOAT_1: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("COLOURED"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("WIDE"), id: 9, scalar: Scalar::Bool, default: 1 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
     ]),
 };
 pub(crate) static SPECULAR_ACCUMULATION: Shader = Shader {
@@ -866,6 +891,7 @@ pub(crate) static SPECULAR_ACCUMULATION: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("FILTERED"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("SHARP"), id: 2, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -902,6 +928,7 @@ pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_1: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("REPAIR"), id: 2, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("SHARP"), id: 3, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
     ]),
 };
 pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_2: Shader = Shader {
@@ -941,6 +968,7 @@ pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_2: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("REPAIR"), id: 2, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("SHARP"), id: 3, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
     ]),
 };
 pub(crate) static TEMPORAL_UPSCALE_FLOAT_0: Shader = Shader {
@@ -968,6 +996,7 @@ pub(crate) static TEMPORAL_UPSCALE_FLOAT_0: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("SHOWN"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("WIDE"), id: 9, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
     ]),
 };
 pub(crate) static TEMPORAL_UPSCALE_FLOAT_1: Shader = Shader {
@@ -995,6 +1024,7 @@ pub(crate) static TEMPORAL_UPSCALE_FLOAT_1: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("SHOWN"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("WIDE"), id: 9, scalar: Scalar::Bool, default: 1 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
     ]),
 };
 pub(crate) static TONE_MAP: Shader = Shader {
@@ -1013,6 +1043,7 @@ pub(crate) static TONE_MAP: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("OUTPUT"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
     ]),
 };
 pub(crate) static UPSAMPLE_NUMBER_0: Shader = Shader {
@@ -1131,6 +1162,7 @@ pub(crate) static VISIBILITY_ACCUMULATION_MANY_0_COLOUR_0: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("AMBIENT"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -1166,6 +1198,7 @@ pub(crate) static VISIBILITY_ACCUMULATION_MANY_0_COLOUR_1: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("AMBIENT"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -1211,6 +1244,7 @@ pub(crate) static VISIBILITY_ACCUMULATION_MANY_1_COLOUR_0: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("AMBIENT"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("LIGHTS"), id: 2, scalar: Scalar::Uint, default: 4 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -1259,6 +1293,7 @@ pub(crate) static VISIBILITY_ACCUMULATION_MANY_1_COLOUR_1: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("AMBIENT"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("LIGHTS"), id: 2, scalar: Scalar::Uint, default: 4 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -1282,6 +1317,7 @@ pub(crate) static VISIBILITY_FILTER_LAST_0_MANY_0_COLOUR_0: Shader = Shader {
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("FIRST"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -1305,6 +1341,7 @@ pub(crate) static VISIBILITY_FILTER_LAST_1_MANY_0_COLOUR_0: Shader = Shader {
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("FIRST"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -1330,6 +1367,7 @@ pub(crate) static VISIBILITY_FILTER_LAST_0_MANY_0_COLOUR_1: Shader = Shader {
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("FIRST"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -1354,6 +1392,7 @@ pub(crate) static VISIBILITY_FILTER_LAST_1_MANY_0_COLOUR_1: Shader = Shader {
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("FIRST"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -1381,6 +1420,7 @@ pub(crate) static VISIBILITY_FILTER_LAST_0_MANY_1_COLOUR_0: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("FIRST"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("LIGHTS"), id: 2, scalar: Scalar::Uint, default: 4 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -1413,6 +1453,7 @@ pub(crate) static VISIBILITY_FILTER_LAST_1_MANY_1_COLOUR_0: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("FIRST"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("LIGHTS"), id: 2, scalar: Scalar::Uint, default: 4 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -1442,6 +1483,7 @@ pub(crate) static VISIBILITY_FILTER_LAST_0_MANY_1_COLOUR_1: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("FIRST"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("LIGHTS"), id: 2, scalar: Scalar::Uint, default: 4 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -1475,6 +1517,7 @@ pub(crate) static VISIBILITY_FILTER_LAST_1_MANY_1_COLOUR_1: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("FIRST"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("LIGHTS"), id: 2, scalar: Scalar::Uint, default: 4 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -1491,6 +1534,7 @@ pub(crate) static VISIBILITY_SAMPLES_MANY_0_COLOUR_0: Shader = Shader {
     members: Cow::Borrowed(&[
     ]),
     constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -1508,6 +1552,7 @@ pub(crate) static VISIBILITY_SAMPLES_MANY_0_COLOUR_1: Shader = Shader {
     members: Cow::Borrowed(&[
     ]),
     constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -1533,6 +1578,7 @@ pub(crate) static VISIBILITY_SAMPLES_MANY_1_COLOUR_0: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("LIGHTS"), id: 2, scalar: Scalar::Uint, default: 4 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -1559,6 +1605,7 @@ pub(crate) static VISIBILITY_SAMPLES_MANY_1_COLOUR_1: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("LIGHTS"), id: 2, scalar: Scalar::Uint, default: 4 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -1604,6 +1651,7 @@ pub(crate) static VOLUME_POINTS: Shader = Shader {
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
     ]),
 };
 #[cfg(test)]

@@ -141,6 +141,11 @@ macro_rules! config_fields {
                 /// of that hit (scene units; 0 or infinite: none). The output is `denoised_ambient`: multiply your ambient
                 /// light by it. Costs 12 bytes per pixel, the output included. Default: false.
                 ambient_occlusion: host flag bool = false;
+                /// Width and height of your images, where the picture is a part of them: of an atlas, or of two views side by side.
+                /// Inputs and outputs with a texel per pixel then have this size, and in each frame you say where the picture
+                /// begins: [`crate::FrameParams::viewport_origin`]. What lies outside is neither read nor written. Keep the old
+                /// content of outputs that you share. None: they have the allocated extent. Default: none.
+                image_extent: host extent_or_none Option<[u32; 2]> = None;
             }
         }
     };

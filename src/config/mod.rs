@@ -1,6 +1,7 @@
 //! The configuration of a preset: extents, preset, signals, and the encodings of your guides.
 //! Changing it re-declares every resource.
 
+use crate::contract::Setup;
 use crate::error::Error;
 
 mod choices;
@@ -101,6 +102,7 @@ impl Config {
         check_extent("Config::allocated_extent", self.allocated_extent)?;
         check_output_extent(self.output_extent, self.allocated_extent)?;
         check_light_extent(self.light_extent, self.allocated_extent)?;
+        check_image_extent(&self.setup())?;
         let whole = [("volume", self.has_volume()), ("reactive_mask", self.reactive_mask)];
         if let Some((light, (needs, _))) = self.light_extent.zip(whole.into_iter().find(|(_, is_asked)| *is_asked)) {
             if light != self.allocated_extent {
@@ -159,6 +161,21 @@ pub(crate) fn check_light_extent(light: Option<[u32; 2]>, rendered: [u32; 2]) ->
     match (0..2).all(|i| light[i] == rendered[i] || (rendered[i].is_multiple_of(2) && light[i] == rendered[i] / 2)) {
         true => Ok(()),
         false => Err(Error::LightExtent { light, rendered }),
+    }
+}
+
+/// Checks the images of a host that are larger than the picture.
+pub(crate) fn check_image_extent(setup: &Setup) -> Result<(), Error> {
+    let Some(images) = setup.image_extent else { return Ok(()) };
+    check_extent("Config::image_extent", images)?;
+    let allocated = setup.allocated_extent;
+    if (0..2).any(|i| images[i] < allocated[i]) {
+        return Err(Error::ImageExtent { images, allocated });
+    }
+    let others = [("output_extent", setup.output_extent), ("light_extent", setup.light_extent)];
+    match others.into_iter().find(|(_, extent)| extent.is_some()) {
+        Some((other, _)) => Err(Error::PartAndSize { other, images }),
+        None => Ok(()),
     }
 }
 

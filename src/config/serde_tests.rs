@@ -35,6 +35,7 @@ fn config() -> Config {
         debug_view: true,
         output_extent: Some([96, 72]),
         light_extent: Some([32, 18]),
+        image_extent: Some([128, 72]),
         reactive_mask: true,
         conventions: Conventions {
             depth: DepthEncoding::Device,

@@ -78,6 +78,10 @@ pub struct FrameParams {
     /// the pixel of light times the ratio. It may differ from frame to frame. Each is 0, or 1 along a halved axis. Default: 0, 0.
     #[cfg_attr(feature = "serde", serde(default))]
     pub light_offset: [u32; 2],
+    /// With [`crate::Config::image_extent`], the pixel of your images at which this picture begins: the render extent lies within
+    /// them. It may differ from frame to frame. Default: 0, 0.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub viewport_origin: [u32; 2],
 }
 
 /// The exposure ratio of a file that has none.
@@ -103,6 +107,7 @@ impl FrameParams {
             complete_frames: None,
             lights: [[0.0; 4]; 4],
             light_offset: [0; 2],
+            viewport_origin: [0; 2],
         }
     }
 
@@ -116,6 +121,10 @@ impl FrameParams {
         check_light_extent(setup.light_extent.map(|_| setup.light_of(self.render_extent)), self.render_extent)?;
         if (0..2).any(|i| self.light_offset[i] >= ratio[i]) {
             return Err(Error::LightOffset { given: self.light_offset, ratio });
+        }
+        let images = setup.image_extent.unwrap_or(self.render_extent);
+        if (0..2).any(|i| u64::from(self.viewport_origin[i]) + u64::from(self.render_extent[i]) > u64::from(images[i])) {
+            return Err(Error::ViewportOrigin { given: self.viewport_origin, render: self.render_extent, images });
         }
         if self.frame_slot >= setup.frames_in_flight {
             return Err(Error::FrameSlot { given: self.frame_slot, frames_in_flight: setup.frames_in_flight });
@@ -272,6 +281,7 @@ fn constants(setup: &Setup, now: &FrameParams, before: &FrameParams, index: u64,
         previous_guide_jitter: before.jitter,
         light_ratio: setup.light_ratio(),
         light_offset: now.light_offset,
+        viewport_origin: now.viewport_origin,
         motion_scale: setup.conventions.motion_scale,
     }
 }

@@ -116,9 +116,19 @@ impl ResourceDecl {
     /// Columns and rows of an image for the extents of a setup; `None` for a buffer.
     pub fn extent(&self, setup: &Setup) -> Option<[u32; 2]> {
         match self.shape {
+            Shape::Image { .. } if self.is_part_of_image(setup) => setup.image_extent,
             Shape::Image { texels, .. } => Some(texels.extent(setup, setup.allocated_extent)),
             Shape::Buffer { .. } => None,
         }
+    }
+
+    /// Whether it is an image of the host in which the picture is a part.
+    pub(crate) fn is_part_of_image(&self, setup: &Setup) -> bool {
+        let is_of_host = matches!(self.lifetime, Lifetime::Input { .. } | Lifetime::Output);
+        // With such images light and output have the pixels of the guides.
+        let is_of_pixels = |texels| matches!(texels, TexelGrid::Rendered(1) | TexelGrid::Light(1) | TexelGrid::Output);
+        let is_of_pixels = matches!(self.shape, Shape::Image { texels, .. } if is_of_pixels(texels));
+        setup.image_extent.is_some() && is_of_host && is_of_pixels
     }
 
     /// Bytes of the texels of one copy, without the alignment of a device. 0 for a format that none

@@ -1,6 +1,6 @@
 //! Settings that are fixed for every frame of a denoiser.
 
-use crate::config::{check_extent, check_light_extent, check_output_extent, Config, Conventions};
+use crate::config::{check_extent, check_image_extent, check_light_extent, check_output_extent, Config, Conventions};
 use crate::error::Error;
 
 /// The largest [`Setup::frames_in_flight`].
@@ -15,6 +15,8 @@ pub struct Setup {
     pub output_extent: Option<[u32; 2]>,
     /// Width and height of allocated images of light; none: those of the guides. Default: none.
     pub light_extent: Option<[u32; 2]>,
+    /// Width and height of your images, in which the picture is a part; none: those of the picture. Default: none.
+    pub image_extent: Option<[u32; 2]>,
     /// Frames that you record before you wait for the oldest, 1 to 8. Default: 2.
     pub frames_in_flight: u32,
     /// Encodings of your guides. Default: [`Conventions::default`].
@@ -25,7 +27,7 @@ impl Setup {
     /// The defaults, for an extent.
     pub fn new(allocated_extent: [u32; 2]) -> Self {
         let conventions = Conventions::default();
-        Self { allocated_extent, output_extent: None, light_extent: None, frames_in_flight: 2, conventions }
+        Self { allocated_extent, output_extent: None, light_extent: None, image_extent: None, frames_in_flight: 2, conventions }
     }
 
     /// Checks every field.
@@ -36,6 +38,7 @@ impl Setup {
         check_extent("Config::allocated_extent", self.allocated_extent)?;
         check_output_extent(self.output_extent, self.allocated_extent)?;
         check_light_extent(self.light_extent, self.allocated_extent)?;
+        check_image_extent(self)?;
         let (given, min, max) = (self.frames_in_flight, 1, MAX_FRAMES_IN_FLIGHT);
         if !(min..=max).contains(&given) {
             return Err(Error::Config { name: "frames_in_flight", given, min, max });
@@ -74,7 +77,7 @@ impl Setup {
 impl Config {
     /// The settings that are fixed for every frame.
     pub fn setup(&self) -> Setup {
-        let &Self { allocated_extent, output_extent, light_extent, frames_in_flight, conventions, .. } = self;
-        Setup { allocated_extent, output_extent, light_extent, frames_in_flight, conventions }
+        let &Self { allocated_extent, output_extent, light_extent, image_extent, frames_in_flight, conventions, .. } = self;
+        Setup { allocated_extent, output_extent, light_extent, image_extent, frames_in_flight, conventions }
     }
 }

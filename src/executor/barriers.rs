@@ -117,7 +117,9 @@ impl Barriers {
             for copy in 0..lifetime.copies() {
                 let current = frame.history_copy(UseFrame::Current) == copy;
                 let undefined = match lifetime {
-                    Lifetime::Transient | Lifetime::Output => true,
+                    // Other pictures of the host may lie in it.
+                    Lifetime::Output => declaration.setup().image_extent.is_none(),
+                    Lifetime::Transient => true,
                     Lifetime::History => current || frame.reset.is_some(),
                     Lifetime::HistoryInPlace => frame.reset.is_some(),
                     Lifetime::Input { .. } => false,

@@ -104,7 +104,7 @@ unsafe fn copy_out(device: &ash::Device, cmd: vk::CommandBuffer, barriers: &mut 
         match from {
             Object::Image(image) => {
                 let layout = vk::ImageLayout::TRANSFER_SRC_OPTIMAL;
-                device.cmd_copy_image_to_buffer(cmd, image.image, layout, buffer, &[region(&image, image.extent)]);
+                device.cmd_copy_image_to_buffer(cmd, image.image, layout, buffer, &[region(&image, [0; 2], image.extent)]);
             }
             Object::Buffer { buffer: from, size } => {
                 let region = vk::BufferCopy { src_offset: 0, dst_offset: 0, size };

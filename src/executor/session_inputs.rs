@@ -98,7 +98,7 @@ impl Session {
                 session.barriers.single(device, cmd, staged, [COPIED, ResourceState::COPY_SOURCE], false);
                 session.barriers.single(device, cmd, image, [UPLOADED, COPIED], true);
                 let layout = vk::ImageLayout::TRANSFER_DST_OPTIMAL;
-                device.cmd_copy_buffer_to_image(cmd, buffer, host.image, layout, &[region(&stored, extent)]);
+                device.cmd_copy_buffer_to_image(cmd, buffer, host.image, layout, &[region(&stored, [0; 2], extent)]);
                 session.barriers.single(device, cmd, image, [COPIED, UPLOADED], false);
             }
             Ok(())

@@ -89,11 +89,16 @@ impl Drop for Staging {
     }
 }
 
-/// The top left part of an image, tightly packed in a buffer; of a depth-stencil image the depth.
-pub(crate) fn region(image: &StoredImage, [width, height]: [u32; 2]) -> vk::BufferImageCopy {
+/// A part of an image from a pixel on, tightly packed in a buffer; of a depth-stencil image the depth.
+pub(crate) fn region(image: &StoredImage, origin: [u32; 2], [width, height]: [u32; 2]) -> vk::BufferImageCopy {
     let aspect_mask = Texel::of(image.format).map_or(vk::ImageAspectFlags::COLOR, |texel| texel.copied_aspect());
     let layers = image.subresource.layers(aspect_mask);
-    vk::BufferImageCopy::default().image_subresource(layers).image_extent(vk::Extent3D { width, height, depth: 1 })
+    let [x, y] = origin.map(|side| side as i32);
+    vk::BufferImageCopy::default().image_subresource(layers).image_offset(vk::Offset3D { x, y, z: 0 }).image_extent(vk::Extent3D {
+        width,
+        height,
+        depth: 1,
+    })
 }
 
 /// The state of an input behind a session's uploads and before the frame's passes.

@@ -40,6 +40,7 @@ mod sharing;
 mod stage;
 #[cfg(test)]
 mod tests;
+mod viewport;
 
 pub use pass::Value;
 pub use port::*;
@@ -206,9 +207,11 @@ impl Graph {
         if self.errors.is_empty() {
             self.check();
         }
-        if self.errors.is_empty() && self.share_outputs {
+        // Of an image with other views every texel is kept.
+        if self.errors.is_empty() && self.share_outputs && self.setup.image_extent.is_none() {
             self.put_transients_into_outputs();
         }
+        self.mark_parts_of_images();
         let Self { setup, config, resources, mut passes, errors, .. } = self;
         let conventions = Flags::of(&setup.conventions, false);
         passes.iter_mut().for_each(|pass| pass.set_constant(CONVENTIONS, conventions));

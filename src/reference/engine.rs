@@ -256,7 +256,7 @@ impl Engine {
     }
 }
 
-fn zeroed(declaration: &Declaration, id: ResourceId) -> Result<Texels, Error> {
+pub(super) fn zeroed(declaration: &Declaration, id: ResourceId) -> Result<Texels, Error> {
     let resource = declaration.resource(id);
     match resource.shape {
         Shape::Buffer { size } => Ok(Texels::Bytes(vec![0; size as usize])),

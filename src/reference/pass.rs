@@ -1,6 +1,7 @@
 //! One pass of a declaration on the CPU: its twin, with texels by the names of the shader's bindings.
 
 use super::bindings::Bindings;
+use super::engine::zeroed;
 use super::stage::{compare_host_stage, CpuStage};
 use super::texels::Texels;
 use crate::contract::{Declaration, Dispatch, FrameContext, Parameter, PassDecl, Shape, TexelGrid, Tuning, Use};
@@ -71,17 +72,36 @@ impl Declaration {
         let block = block.and_then(Texels::as_constants).unwrap_or(frame.constants);
         let bindings = Bindings::new(stage, &block, &tuning).with_constants(&constants);
         let mut bindings = bindings.with_level(dispatch.level()).with_view(frame.debug_view.unwrap_or_default());
-        for (name, u) in names.iter().zip(&pass.uses) {
-            if let Some(texels) = read(u).filter(|_| u.access.reads()) {
+        let origin = frame.constants.viewport_origin;
+        let cut = |u: &Use| read(u).filter(|_| self.is_part(u)).map(|texels| texels.part(origin, self.allocated_extent()));
+        let parts: Vec<Option<Texels>> = pass.uses.iter().map(cut).collect();
+        for ((name, u), part) in names.iter().zip(&pass.uses).zip(&parts) {
+            if let Some(texels) = part.as_ref().or_else(|| read(u)).filter(|_| u.access.reads()) {
                 bindings.reads(name, texels);
             }
             if u.access.writes() {
-                bindings.writes(name, self.texel_extent(u));
+                bindings.writes(name, if self.is_part(u) { self.allocated_extent() } else { self.texel_extent(u) });
             }
         }
         twin(&mut bindings)?;
         let place = |name: &str| names.iter().position(|n| *n == name);
-        Ok(Some(bindings.into_written().into_iter().filter_map(|(name, texels)| Some((place(name)?, texels))).collect()))
+        let written = bindings.into_written().into_iter().filter_map(|(name, texels)| Some((place(name)?, texels)));
+        let whole = |(place, picture): (usize, Texels)| {
+            let u = &pass.uses[place];
+            if !self.is_part(u) {
+                return Ok((place, picture));
+            }
+            // Another picture may lie beside it.
+            let mut image = read(u).cloned().map_or_else(|| zeroed(self, u.resource), Ok)?;
+            image.put(&picture, origin, frame.render_extent);
+            Ok((place, image))
+        };
+        written.map(whole).collect::<Result<_, Error>>().map(Some)
+    }
+
+    /// Whether a use has an image of the host in which the picture is a part.
+    fn is_part(&self, u: &Use) -> bool {
+        self.resource(u.resource).is_part_of_image(self.setup())
     }
 
     /// Compares what the GPU and the twin wrote to a use of a pass, by the rules of its stage; of a stage of a host as half floats.
@@ -108,6 +128,9 @@ impl Declaration {
             Shape::Image { texels: TexelGrid::Light(divisor), .. } => (divisor, frame.constants.render_extent),
             Shape::Buffer { .. } => (1, frame.render_extent),
         };
+        let part = |texels: &Texels| texels.part(frame.constants.viewport_origin, self.allocated_extent());
+        let cut = self.is_part(&pass.uses[index]).then(|| [part(gpu), part(twin)]);
+        let [gpu, twin] = cut.as_ref().map_or([gpu, twin], |[gpu, twin]| [gpu, twin]);
         match dispatch.on_cpu().filter(|stage| !stage.rules.is_empty()) {
             Some(stage) => {
                 let compared = stage.compare(binding, &constants, pixels, gpu, twin);

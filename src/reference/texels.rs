@@ -4,6 +4,7 @@ use super::binary16::from_half_bits;
 use super::Image;
 use crate::{Component, Error, FrameConstants, ImageFormat};
 use ash::vk;
+use glam::IVec2;
 
 /// Texels in the representation that the twins read and write, or the bytes of a buffer.
 #[derive(Clone, Debug, PartialEq)]
@@ -83,6 +84,44 @@ impl Texels {
             Self::Uint(image) => image.texels().iter().map(|x| [*x as f32, 0.0, 0.0, 0.0]).collect(),
             Self::Wide(image) => image.texels().iter().map(|t| t.map(|x| x as f32)).collect(),
             Self::Bytes(bytes) => bytes.iter().map(|x| [f32::from(*x), 0.0, 0.0, 0.0]).collect(),
+        }
+    }
+
+    /// A part of an image, from a pixel on. A buffer is whole.
+    pub(crate) fn part(&self, [x, y]: [u32; 2], extent: [u32; 2]) -> Self {
+        fn cut<T: Copy + Default + Send + Sync>(image: &Image<T>, [x, y]: [i32; 2], [width, height]: [u32; 2]) -> Image<T> {
+            let [w, h] = image.extent().map(|side| side as i32);
+            // Beyond the image nothing is read.
+            let nearest = |p: IVec2| IVec2::new((p.x + x).clamp(0, w - 1), (p.y + y).clamp(0, h - 1));
+            Image::compute([width, height], [width, height], |p| image.at(nearest(p)))
+        }
+        let at = [x as i32, y as i32];
+        match self {
+            Self::Colour(image) => Self::Colour(cut(image, at, extent)),
+            Self::Scalar(image) => Self::Scalar(cut(image, at, extent)),
+            Self::Packed(image) => Self::Packed(cut(image, at, extent)),
+            Self::Uint(image) => Self::Uint(cut(image, at, extent)),
+            Self::Wide(image) => Self::Wide(cut(image, at, extent)),
+            Self::Bytes(bytes) => Self::Bytes(bytes.clone()),
+        }
+    }
+
+    /// Puts the first `extent` texels of a picture of the same kind at a pixel of this image.
+    pub(crate) fn put(&mut self, picture: &Self, at: [u32; 2], extent: [u32; 2]) {
+        fn put<T: Copy>(to: &mut Image<T>, from: &Image<T>, [x, y]: [u32; 2], [width, height]: [u32; 2]) {
+            for (row, column) in (0..height as i32).flat_map(|row| (0..width as i32).map(move |column| (row, column))) {
+                if let (Some(to), Some(from)) = (to.get_mut(column + x as i32, row + y as i32), from.get(column, row)) {
+                    *to = *from;
+                }
+            }
+        }
+        match (self, picture) {
+            (Self::Colour(to), Self::Colour(from)) => put(to, from, at, extent),
+            (Self::Scalar(to), Self::Scalar(from)) => put(to, from, at, extent),
+            (Self::Packed(to), Self::Packed(from)) => put(to, from, at, extent),
+            (Self::Uint(to), Self::Uint(from)) => put(to, from, at, extent),
+            (Self::Wide(to), Self::Wide(from)) => put(to, from, at, extent),
+            (to, from) => *to = from.clone(),
         }
     }
 

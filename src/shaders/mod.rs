@@ -6,7 +6,7 @@ mod tests;
 pub use atrous_shader::Component;
 pub(crate) use atrous_shader::{
     BindingAccess, BindingKind, PushMember, Scalar, Shader, ShaderBinding, SpecialisationConstant, TexelFormat, CONVENTIONS, LEVEL,
-    MAX_BINDINGS, MAX_PUSH_BYTES, PRESENT, SET_FOR_ALL, WIRED,
+    MAX_BINDINGS, MAX_PUSH_BYTES, OF_HOST, PRESENT, SET_FOR_ALL, WIRED,
 };
 
 use crate::frame_constants::FrameConstants;

@@ -50,6 +50,7 @@ pub fn config(dice: &mut Dice) -> Config {
         // Its frames render any part of the allocation.
         output_extent: None,
         light_extent: None,
+        image_extent: None,
         reactive_mask: dice.coin(),
         coloured_visibility: dice.coin(),
         ambient_occlusion: dice.coin(),
@@ -113,6 +114,7 @@ fn params(dice: &mut Dice, config: &Config, frame: u32) -> FrameParams {
     let [width, height] = config.allocated_extent;
     FrameParams {
         light_offset: [0; 2],
+        viewport_origin: [0; 2],
         frame_slot: frame % config.frames_in_flight,
         reset: (dice.below(8) == 0).then(|| dice.one_of(&ResetReason::ALL)),
         render_extent: if dice.coin() { [width, height] } else { [1 + dice.below(width), 1 + dice.below(height)] },

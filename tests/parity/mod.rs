@@ -8,6 +8,7 @@ mod import;
 mod light;
 mod specular;
 mod tone_map;
+mod viewport;
 mod visibility;
 mod volume;
 
@@ -76,6 +77,10 @@ pub const TESTS: &[DeviceTest] = &[
     ("visibility_of_four_lights_in_colour", || {
         let tuning = Tuning { light_radius_1: 0.01, light_radius_2: 0.02, light_radius_3: 0.002, ..svgf_tuning() };
         tuned_sequence(&Config { visibility: 4, coloured_visibility: true, ..svgf([61, 35]) }, [61, 35], tuning);
+    }),
+    ("a_part_of_larger_images", || {
+        viewport::sequence(&Config { signals: Signals::Apart, post_process: PostProcess::ToneMapTaa, ..Config::new([40, 24]) });
+        viewport::sequence(&Config { visibility: 1, volume: true, ..svgf([40, 24]) });
     }),
     ("ambient_occlusion", || {
         let tuning = Tuning { ambient_radius: 0.01, ..svgf_tuning() };

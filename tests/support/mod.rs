@@ -128,6 +128,29 @@ pub fn traced(declaration: &Declaration, name: &str, texels: &[[f32; 4]], offset
     (0..rows).flat_map(|q| (0..columns).map(move |p| at(p, q))).collect()
 }
 
+/// Uploads a frame of the synthetic scene as a part of larger images, which are not finite around it, and whose ids are of nothing.
+pub fn upload_part(session: &mut Session, guides: &Guides, origin: [u32; 2]) {
+    let declaration = session.executor().denoiser().declaration().clone();
+    for (name, texels) in guides.declared(&declaration) {
+        session.upload(name, &placed(&declaration, name, texels, [f32::NAN; 4], origin)).expect(name);
+    }
+    if declaration.find("surface_id").is_some() {
+        session.upload_ids("surface_id", &placed(&declaration, "surface_id", &guides.surface_id, u32::MAX, origin)).expect("ids");
+    }
+}
+
+/// The texels of a picture at an origin of the images that it is a part of.
+fn placed<T: Copy>(declaration: &Declaration, name: &str, texels: &[T], around: T, origin: [u32; 2]) -> Vec<T> {
+    let [width, height] = declaration.allocated_extent();
+    let resource = declaration.resource(declaration.find(name).expect(name));
+    let [columns, rows] = resource.extent(declaration.setup()).expect("an image");
+    let inside = |p: u32, q: u32| {
+        let (x, y) = (p.checked_sub(origin[0])?, q.checked_sub(origin[1])?);
+        (x < width && y < height).then(|| texels[(y * width + x) as usize])
+    };
+    (0..rows).flat_map(|q| (0..columns).map(move |p| (p, q))).map(|(p, q)| inside(p, q).unwrap_or(around)).collect()
+}
+
 /// Gives the CPU engine what [`upload`] gives a session.
 pub fn upload_to_engine(engine: &mut Engine, guides: &Guides) {
     let declaration = engine.declaration().clone();

@@ -14,7 +14,7 @@
 //!
 //! Guides are Bevy's prepass as it is. Normals and albedo come from the deferred G-buffer, where the camera has one.
 
-mod gbuffer;
+mod shaders;
 mod view;
 
 pub use view::{conventions, DenoiseSystems, ViewDenoiser};
@@ -29,6 +29,7 @@ use bevy::ecs::world::DeferredWorld;
 use bevy::prelude::*;
 use bevy::render::sync_world::RenderEntity;
 use bevy::render::{ExtractSchedule, MainWorld, Render, RenderApp, RenderSystems};
+use std::path::PathBuf;
 use wgpu::TextureUsages;
 
 /// Where the noisy light of a camera is.
@@ -57,6 +58,17 @@ pub struct Denoise {
     pub debug_view: Option<DebugView>,
     /// Drops the history in the next frame: set it at a cut of the camera. The plugin takes it back.
     pub reset: bool,
+    /// Writes the inputs of the next frames for a report: set it once. The plugin takes it back.
+    pub capture: Option<Capture>,
+}
+
+/// A folder that `atrous-denoise FOLDER` replays. With `reset` in the same frame the replay has the bits of what you saw.
+#[derive(Clone, Debug)]
+pub struct Capture {
+    /// Is made where there is none; it holds no other capture.
+    pub folder: PathBuf,
+    /// As many files, the last of which are written while the frames behind are drawn. What goes wrong stands in the log.
+    pub frames: u32,
 }
 
 /// Usages of a camera's main texture, which the denoiser reads and writes. [`Denoise`] adds them to its camera, and switches
@@ -93,7 +105,7 @@ impl Plugin for DenoisePlugin {
 
     fn finish(&self, app: &mut App) {
         let Some(render_app) = app.get_sub_app_mut(RenderApp) else { return };
-        gbuffer::Unpack::insert(render_app.world_mut());
+        shaders::Shaders::insert(render_app.world_mut());
     }
 }
 
@@ -104,8 +116,8 @@ fn extract(mut main_world: ResMut<MainWorld>, mut commands: Commands) {
         match denoise.filter(|_| camera.is_active) {
             Some(mut denoise) => {
                 rendered.insert(denoise.clone());
-                if denoise.reset {
-                    denoise.reset = false;
+                if denoise.reset || denoise.capture.is_some() {
+                    (denoise.reset, denoise.capture) = (false, None);
                 }
             }
             None => {

@@ -1,7 +1,7 @@
 //! The denoiser of a camera in the render world, and its phases.
 
-use crate::gbuffer::Unpack;
-use crate::{Denoise, Source};
+use crate::shaders::Shaders;
+use crate::{Capture, Denoise, Source};
 use atrous::config::{Config, Conventions, DepthEncoding, MotionDirection, NormalEncoding, Preset};
 use atrous::{FrameContext, FrameParams, Phase, ResetReason, Tuning};
 use atrous_wgpu::WgpuDenoiser;
@@ -25,6 +25,8 @@ pub struct ViewDenoiser {
     pub albedo: wgpu::Texture,
     /// From the deferred G-buffer.
     normal: Option<wgpu::Texture>,
+    /// Of depth, normal and motion, while they are captured.
+    copies: Option<[wgpu::Texture; 3]>,
     /// Matrices of the frame.
     pub params: FrameParams,
 }
@@ -78,14 +80,14 @@ fn params(view: &ExtractedView, jitter: Option<&TemporalJitter>, extent: [u32; 2
     }
 }
 
-fn texture(device: &wgpu::Device, label: &str, [width, height]: [u32; 2]) -> wgpu::Texture {
+fn texture(device: &wgpu::Device, label: &str, [width, height]: [u32; 2], format: TextureFormat) -> wgpu::Texture {
     device.create_texture(&wgpu::TextureDescriptor {
         label: Some(label),
         size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
         mip_level_count: 1,
         sample_count: 1,
         dimension: wgpu::TextureDimension::D2,
-        format: TextureFormat::Rgba16Float,
+        format,
         usage: TextureUsages::STORAGE_BINDING | TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_SRC | TextureUsages::COPY_DST,
         view_formats: &[],
     })
@@ -95,10 +97,46 @@ impl ViewDenoiser {
     fn new(device: &wgpu::Device, made_for: MadeFor) -> Result<Self, BevyError> {
         let extent = made_for.extent;
         let mut denoiser = WgpuDenoiser::new(device, made_for.config().declare()?)?;
-        let [noisy, albedo] = ["noisy radiance", "albedo"].map(|label| texture(device, label, extent));
+        let [noisy, albedo] = ["noisy radiance", "albedo"].map(|label| texture(device, label, extent, TextureFormat::Rgba16Float));
         denoiser.set_input("noisy_radiance", &noisy)?;
         denoiser.set_input("albedo", &albedo)?;
-        Ok(Self { denoiser, frame: None, made_for, noisy, albedo, normal: None, params: FrameParams::new(extent) })
+        Ok(Self { denoiser, frame: None, made_for, noisy, albedo, normal: None, copies: None, params: FrameParams::new(extent) })
+    }
+
+    /// Gives the guides of the prepass to the denoiser: those of the deferred G-buffer unpacked, and all as copies while they are
+    /// captured.
+    fn set_guides(
+        &mut self,
+        prepass: &ViewPrepassTextures,
+        shaders: &Shaders,
+        context: &mut RenderContext,
+        is_captured: bool,
+    ) -> Result<(), BevyError> {
+        let (Some(depth), Some(depth_view), Some(motion)) = (&prepass.depth, prepass.depth_only_view(), &prepass.motion_vectors)
+        else {
+            return Err("a camera with `Denoise` needs DepthPrepass and MotionVectorPrepass".into());
+        };
+        let (device, extent) = (context.render_device().wgpu_device().clone(), self.made_for.extent);
+        let normal = match (prepass.deferred_view(), &prepass.normal) {
+            (Some(gbuffer), _) => {
+                let normal = self.normal.get_or_insert_with(|| texture(&device, "normal", extent, TextureFormat::Rgba16Float));
+                shaders.unpack(&device, context.command_encoder(), [gbuffer, depth_view], [&self.albedo, normal]);
+                &*normal
+            }
+            (None, Some(normal)) => &normal.texture.texture,
+            (None, None) => return Err("a camera with `Denoise` needs NormalPrepass or DeferredPrepass".into()),
+        };
+        let guides = [("depth", &*depth.texture.texture), ("normal", normal), ("motion", &*motion.texture.texture)];
+        if !is_captured && self.denoiser.frames_to_capture() == 0 {
+            self.copies = None;
+            return guides.into_iter().try_for_each(|(name, texture)| Ok(self.denoiser.set_input(name, texture)?));
+        }
+        let formats = [TextureFormat::R32Float, TextureFormat::Rgba32Float, TextureFormat::Rgba16Float];
+        let copies =
+            self.copies.get_or_insert_with(|| formats.map(|format| texture(&device, "copy of the prepass", extent, format)));
+        let [normal, motion] = [normal, guides[2].1].map(|texture| texture.create_view(&default()));
+        shaders.copy(&device, context.command_encoder(), [depth_view, &normal, &motion], copies.each_ref());
+        guides.iter().zip(copies).try_for_each(|((name, _), copy)| Ok(self.denoiser.set_input(name, copy)?))
     }
 
     /// Where the last frame was denoised to.
@@ -151,26 +189,17 @@ type View = (
 );
 
 /// The first phase, behind the prepass.
-pub fn import(view: ViewQuery<View>, unpack: Res<Unpack>, mut context: RenderContext) -> Result<(), BevyError> {
+pub fn import(view: ViewQuery<View>, shaders: Res<Shaders>, mut context: RenderContext) -> Result<(), BevyError> {
     let (asked, view, jitter, target, prepass, mut this) = view.into_inner();
     let this = &mut *this;
-    let (Some(depth), Some(motion)) = (&prepass.depth, &prepass.motion_vectors) else {
-        return Err("a camera with `Denoise` needs DepthPrepass and MotionVectorPrepass".into());
-    };
-    match (prepass.deferred_view(), prepass.depth_only_view(), &prepass.normal) {
-        (Some(gbuffer), Some(depth), _) => {
-            let device = context.render_device().wgpu_device().clone();
-            let normal = this.normal.get_or_insert_with(|| texture(&device, "normal", this.made_for.extent));
-            unpack.record(&device, context.command_encoder(), [gbuffer, depth], [&this.albedo, normal]);
-            this.denoiser.set_input("normal", normal)?;
-        }
-        (_, _, Some(normal)) => this.denoiser.set_input("normal", &normal.texture.texture)?,
-        _ => return Err("a camera with `Denoise` needs NormalPrepass or DeferredPrepass".into()),
-    }
-    this.denoiser.set_input("depth", &depth.texture.texture)?;
-    this.denoiser.set_input("motion", &motion.texture.texture)?;
+    this.set_guides(prepass, &shaders, &mut context, asked.capture.is_some())?;
     // Bevy takes one of two textures, and goes on with the one that the denoiser wrote.
     this.denoiser.set_output("denoised_radiance", target.main_texture())?;
+    if let Some(Capture { folder, frames }) = &asked.capture {
+        if let Err(error) = this.denoiser.capture(folder, *frames) {
+            log::error!("nothing is captured: {error}");
+        }
+    }
     let reset = asked.reset.then_some(ResetReason::CameraCut);
     let params = params(view, jitter, this.made_for.extent);
     this.params = FrameParams { reset, debug_view: asked.debug_view, ..params };

@@ -686,6 +686,11 @@ typedef struct AtrousConfig {
   // units; 0 or infinite: none). The output is `denoised_ambient`: multiply your ambient light by it. Costs 12 bytes per
   // pixel, the output included. 0 (false), 1 (true). Default: 0.
   uint32_t ambient_occlusion;
+  // Width and height of your images, where the picture is a part of them: of an atlas, or of two views side by side.
+  // Inputs and outputs with a texel per pixel then have this size, and in each frame you say where the picture begins:
+  // `FrameParams::viewport_origin`. What lies outside is neither read nor written. Keep the old content of outputs that
+  // you share. None: they have the allocated extent. 0, 0 is none. Default: 0, 0.
+  uint32_t image_extent[2];
 } AtrousConfig;
 
 // The device of the passes. Handles stay yours.
@@ -762,6 +767,8 @@ typedef struct AtrousFrameParams {
   float lights[16];
   // With AtrousConfig.light_extent, the rendered pixel of each cell that light was traced for: 0, or 1 along a halved axis.
   uint32_t light_offset[2];
+  // With AtrousConfig.image_extent, the pixel of your images at which this picture begins.
+  uint32_t viewport_origin[2];
 } AtrousFrameParams;
 
 // A buffer for a name.

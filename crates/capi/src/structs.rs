@@ -130,6 +130,8 @@ pub struct AtrousFrameParams {
     pub lights: [f32; 16],
     /// With AtrousConfig.light_extent, the rendered pixel of each cell that light was traced for: 0, or 1 along a halved axis.
     pub light_offset: [u32; 2],
+    /// With AtrousConfig.image_extent, the pixel of your images at which this picture begins.
+    pub viewport_origin: [u32; 2],
 }
 
 /// A frame that was begun. Plain data: copy it as you like.

@@ -59,7 +59,7 @@ fn config() -> String {
         let allowed = match *name {
             "eaw_weights" => format!("The sum of any of {}.", bits.join(", ")),
             "levels" => "0 is none.".to_owned(),
-            "output_extent" | "light_extent" => "0, 0 is none.".to_owned(),
+            "output_extent" | "light_extent" | "image_extent" => "0, 0 is none.".to_owned(),
             _ if list.is_empty() => String::new(),
             _ => format!("{}.", list.join(", ")),
         };

@@ -12,8 +12,10 @@ pub const MAX_PUSH_BYTES: u32 = 128;
 pub const WIRED: &str = "WIRED";
 /// The specialisation constant with the host's conventions, in the bits of the uniform block's flags.
 pub const CONVENTIONS: &str = "CONVENTIONS";
+/// The specialisation constant whose bit i says that binding i has an image of the host, in which the picture is a part.
+pub const OF_HOST: &str = "OF_HOST";
 /// Specialisation constants that are set for every shader that has them, and not by nodes.
-pub const SET_FOR_ALL: [&str; 2] = [WIRED, CONVENTIONS];
+pub const SET_FOR_ALL: [&str; 3] = [WIRED, CONVENTIONS, OF_HOST];
 /// The push constant whose bit i says that the host bound binding i.
 pub const PRESENT: &str = "present";
 /// The push constant for the number of a level, or of a view.

@@ -12,9 +12,9 @@ use wgpu::hal::api::Vulkan;
 
 /// A denoiser with textures of wgpu as inputs and outputs. Histories and transients are its own.
 pub struct WgpuDenoiser {
-    executor: ManuallyDrop<Executor>,
+    pub(crate) executor: ManuallyDrop<Executor>,
     device: wgpu::Device,
-    bound: BTreeMap<String, Arc<Bound>>,
+    pub(crate) bound: BTreeMap<String, Arc<Bound>>,
     seen: Seen,
     /// A token that the command buffers of each slot hold until they ran or were dropped.
     slots: Vec<Arc<()>>,
@@ -119,6 +119,10 @@ impl WgpuDenoiser {
             let problem = format!("it is bound to `{other}` already; an output needs a texture of its own");
             return Err(Error::Texture { name: name.to_owned(), problem });
         }
+        #[cfg(feature = "capture")]
+        if self.executor.frames_to_capture() > 0 {
+            crate::capture::check(name, &bound)?;
+        }
         self.executor.bind_image(name, bound.image)?;
         self.bound.insert(name.to_owned(), Arc::new(bound));
         Ok(())
@@ -143,6 +147,10 @@ impl WgpuDenoiser {
         let frame = self.executor.begin_frame(&FrameParams { frame_slot: slot, ..*params }, tuning)?;
         self.frames += 1;
         Ok(frame)
+    }
+
+    pub(crate) fn wait_for_all(&self) -> Result<(), Error> {
+        (0..self.slots.len() as u32).try_for_each(|slot| self.wait_for(slot))
     }
 
     fn wait_for(&self, slot: u32) -> Result<(), Error> {
@@ -203,7 +211,7 @@ impl WgpuDenoiser {
     /// # Errors
     /// [`Error::NotSubmitted`]; errors of [`Executor::resize`].
     pub fn resize(&mut self, allocated_extent: [u32; 2]) -> Result<(), Error> {
-        (0..self.slots.len() as u32).try_for_each(|slot| self.wait_for(slot))?;
+        self.wait_for_all()?;
         // SAFETY: no command buffer of any slot is left.
         unsafe { self.executor.resize(allocated_extent)? };
         self.bound.clear();
@@ -213,7 +221,7 @@ impl WgpuDenoiser {
 
 impl Drop for WgpuDenoiser {
     fn drop(&mut self) {
-        match (0..self.slots.len() as u32).try_for_each(|slot| self.wait_for(slot)) {
+        match self.wait_for_all() {
             // SAFETY: no command buffer of any slot is left, and the executor is not used again.
             Ok(()) => unsafe { ManuallyDrop::drop(&mut self.executor) },
             Err(error) => log::error!("atrous-wgpu: a denoiser is leaked, since the GPU may still use it: {error}"),

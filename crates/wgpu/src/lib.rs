@@ -22,6 +22,8 @@
 //! # Ok::<(), atrous_wgpu::Error>(())
 //! ```
 
+#[cfg(feature = "capture")]
+mod capture;
 mod denoiser;
 mod error;
 mod format;

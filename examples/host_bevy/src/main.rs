@@ -4,51 +4,33 @@
 //! pictures against many paths a pixel, and writes them beside each other: `cargo run -- [--like-solari] FOLDER`.
 
 mod path_tracer;
-mod readback;
 mod scene;
 
 use atrous::config::{Conventions, MotionDirection, NormalEncoding};
 use atrous::reference::Image;
 use atrous_conventions::{check, OwnedGuides};
 use atrous_lab::pictures::{Picture, Strip};
-use bevy::log::LogPlugin;
 use bevy::pbr::DefaultOpaqueRendererMethod;
 use bevy::prelude::*;
 use bevy::render::render_asset::RenderAssets;
-use bevy::render::settings::{Backends, InstanceFlags, RenderCreation, WgpuSettings};
 use bevy::render::texture::GpuImage;
-use bevy::render::{RenderApp, RenderPlugin};
-use bevy::window::ExitCondition;
-use bevy_atrous::{DenoisePlugin, ViewDenoiser};
+use bevy::render::RenderApp;
+use bevy_atrous::{Capture, DenoisePlugin};
+use host_bevy::{denoiser, difference, headless, picture, print_replay, readback, rmse, Result};
 use path_tracer::Traced;
-use scene::{LikeSolari, Scene, Target, EXTENT};
+use scene::{Captured, LikeSolari, Scene, Target, EXTENT};
 use std::path::PathBuf;
-
-type Result<T> = std::result::Result<T, BevyError>;
 
 const FRAMES: u32 = 24;
 /// Paths a pixel of the reference.
 const REFERENCE: u32 = 1024;
 
-fn app(like_solari: bool) -> App {
-    let settings = WgpuSettings {
-        backends: Some(Backends::VULKAN),
-        // Validation is switched on from outside, or not at all.
-        instance_flags: InstanceFlags::empty(),
-        ..default()
-    };
-    let render = RenderPlugin {
-        render_creation: RenderCreation::Automatic(Box::new(settings)),
-        synchronous_pipeline_compilation: true,
-        ..default()
-    };
-    let window = WindowPlugin { primary_window: None, exit_condition: ExitCondition::DontExit, ..default() };
-    let mut app = App::new();
-    app.insert_resource(LikeSolari(like_solari));
+fn app(like_solari: bool, capture: Capture) -> App {
+    let mut app = headless();
+    app.insert_resource(LikeSolari(like_solari)).insert_resource(Captured(capture));
     if like_solari {
         app.insert_resource(DefaultOpaqueRendererMethod::deferred());
     }
-    app.add_plugins(DefaultPlugins.set(render).set(window).disable::<LogPlugin>());
     app.add_plugins((scene::ScenePlugin, DenoisePlugin, path_tracer::PathTracerPlugin));
     app.finish();
     app.cleanup();
@@ -58,14 +40,6 @@ fn app(like_solari: bool) -> App {
 fn draw(app: &mut App, scene: Scene) {
     *app.world_mut().resource_mut::<Scene>() = scene;
     app.update();
-}
-
-/// The denoiser of the only camera.
-fn denoiser(app: &mut App) -> Result<(&World, &ViewDenoiser)> {
-    let world = app.sub_app_mut(RenderApp).world_mut();
-    let entity = world.query_filtered::<Entity, With<ViewDenoiser>>().single(world)?;
-    let world: &World = world;
-    Ok((world, world.get(entity).ok_or("no denoiser")?))
 }
 
 fn guides(app: &mut App) -> Result<OwnedGuides> {
@@ -84,26 +58,10 @@ fn guides(app: &mut App) -> Result<OwnedGuides> {
     })
 }
 
-fn rmse(image: &[[f32; 3]], reference: &[[f32; 3]]) -> f64 {
-    let squares = image.iter().flatten().zip(reference.iter().flatten()).map(|(a, b)| f64::from(a - b).powi(2));
-    (squares.sum::<f64>() / (3 * reference.len()) as f64).sqrt()
-}
-
 /// The share of pixels whose colours differ by a quantum of a G-buffer at most.
 fn share_alike(a: &[[f32; 3]], b: &[[f32; 3]]) -> f64 {
     let alike = |(a, b): (&[f32; 3], &[f32; 3])| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 0.012);
     a.iter().zip(b).filter(|pair| alike(*pair)).count() as f64 / a.len() as f64
-}
-
-/// The largest difference between what Bevy shows and a picture without tone mapping.
-fn difference(shown: &[[u8; 3]], radiance: &[[f32; 3]]) -> u8 {
-    let encode = |linear: f32| {
-        let x = linear.clamp(0.0, 1.0);
-        let curve = if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * x.powf(1.0 / 2.4) - 0.055 };
-        (255.0 * curve).round() as u8
-    };
-    let pairs = shown.iter().flatten().zip(radiance.iter().flatten());
-    pairs.map(|(shown, linear)| shown.abs_diff(encode(*linear))).max().unwrap_or(u8::MAX)
 }
 
 /// Holds Bevy's prepass against what the plugin declares, and what it might have declared by mistake.
@@ -141,15 +99,12 @@ fn check_conventions(previous: &OwnedGuides, current: &OwnedGuides) -> Result<()
     Ok(())
 }
 
-fn picture(radiance: &[[f32; 3]]) -> Result<Picture> {
-    Ok(Picture::from_linear(EXTENT[0], EXTENT[1], radiance, 1.0)?)
-}
-
 fn main() -> Result<()> {
     let mut arguments = std::env::args_os().skip(1).peekable();
     let like_solari = arguments.next_if(|argument| argument == "--like-solari").is_some();
     let folder = arguments.next().map(PathBuf::from);
-    let mut app = app(like_solari);
+    let captured = tempfile::tempdir()?;
+    let mut app = app(like_solari, Capture { folder: captured.path().to_owned(), frames: FRAMES });
     let mut known = Vec::new();
     for index in 0..FRAMES {
         draw(&mut app, Scene { index, time: index, ..default() });
@@ -182,14 +137,15 @@ fn main() -> Result<()> {
     check_conventions(&known[0], &known[1])?;
     println!("with jitter");
     check_conventions(&known[2], &known[3])?;
+    print_replay(captured.path(), &denoised)?;
     let errors = [rmse(&noisy, &reference), rmse(&denoised, &reference)];
     println!("RMSE noisy {:.4}\nRMSE denoised {:.4}", errors[0], errors[1]);
     if let Some(folder) = folder {
         std::fs::create_dir_all(&folder)?;
         let strip = Strip::new("Bevy's prepass, one path a pixel")
-            .panel(format!("noisy\nRMSE {:.4}", errors[0]), picture(&noisy)?)
-            .panel(format!("denoised\nRMSE {:.4}", errors[1]), picture(&denoised)?)
-            .panel(format!("reference\n{REFERENCE} paths a pixel"), picture(&reference)?);
+            .panel(format!("noisy\nRMSE {:.4}", errors[0]), picture(EXTENT, &noisy)?)
+            .panel(format!("denoised\nRMSE {:.4}", errors[1]), picture(EXTENT, &denoised)?)
+            .panel(format!("reference\n{REFERENCE} paths a pixel"), picture(EXTENT, &reference)?);
         strip.render()?.write_png(folder.join("host_bevy.png"))?;
         Picture::from_pixels(EXTENT[0], EXTENT[1], shown)?.write_png(folder.join("host_bevy_shown.png"))?;
     }

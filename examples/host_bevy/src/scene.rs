@@ -9,7 +9,7 @@ use bevy::math::Affine2;
 use bevy::prelude::*;
 use bevy::render::camera::TemporalJitter;
 use bevy::render::render_resource::{Extent3d, TextureDimension, TextureFormat, TextureUsages};
-use bevy_atrous::{Denoise, Source};
+use bevy_atrous::{Capture, Denoise, Source};
 
 /// Pixels.
 pub const EXTENT: [u32; 2] = [320, 180];
@@ -78,6 +78,10 @@ impl Scene {
 #[derive(Resource, Clone, Copy, PartialEq)]
 pub struct LikeSolari(pub bool);
 
+/// What is captured, from the first frame on.
+#[derive(Resource)]
+pub struct Captured(pub Capture);
+
 /// The picture of the camera. Without tone mapping and dithering it is the denoised texture itself, so that it can be compared.
 #[derive(Resource)]
 pub struct Target(pub Handle<Image>);
@@ -101,6 +105,7 @@ fn spawn(
     mut materials: ResMut<Assets<StandardMaterial>>,
     scene: Res<Scene>,
     like_solari: Res<LikeSolari>,
+    captured: Res<Captured>,
 ) {
     // Without reflectance the albedo of both lobes is the base colour.
     let mut matte = |material| MeshMaterial3d(materials.add(StandardMaterial { reflectance: 0.0, ..material }));
@@ -122,7 +127,7 @@ fn spawn(
     commands.insert_resource(Target(target.clone()));
     let camera = (Camera3d::default(), RenderTarget::from(target), scene.camera(), Tonemapping::None, DebandDither::Disabled);
     let source = if like_solari.0 { Source::MainTexture } else { Source::PathTracer };
-    let denoised = (Denoise { source, ..default() }, NormalPrepass);
+    let denoised = (Denoise { source, capture: Some(captured.0.clone()), ..default() }, NormalPrepass);
     let mut camera = commands.spawn((camera, denoised, TemporalJitter::default()));
     if like_solari.0 {
         camera.insert(DeferredPrepass);

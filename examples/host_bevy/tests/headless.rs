@@ -42,6 +42,7 @@ fn shows_what_is_denoised(arguments: &[&str]) {
         assert!(text.contains(mistake), "{mistake}:\n{text}");
     }
     assert!(number(&text, "at most") <= 1.0, "{text}");
+    assert_eq!(number(&text, "by atrous-denoise:"), f64::from(320 * 180), "{text}");
     // All but pixels of edges, where a mesh is no sphere.
     assert!(number(&text, "albedo of the denoiser:") > 0.98, "{text}");
     assert!(6.0 * number(&text, "RMSE denoised") < number(&text, "RMSE noisy"), "{text}");

@@ -64,6 +64,8 @@ struct Tracked {
     is_image: bool,
     /// Whether it has two copies; the parity of the frame selects the current one.
     is_pair: bool,
+    /// Whether there is more in it than the picture, so that its old content is kept.
+    is_shared_image: bool,
     /// The pass that a transient starts in.
     starts: Option<usize>,
     /// Transients in the same memory.
@@ -100,6 +102,7 @@ impl Tracker {
             .map(|resource| Tracked {
                 is_image: matches!(resource.shape, Shape::Image { .. }),
                 is_pair: resource.lifetime == Lifetime::History,
+                is_shared_image: resource.is_part_of_image(declaration.setup()),
                 starts: None,
                 aliases: Vec::new(),
                 shared: None,
@@ -189,7 +192,8 @@ impl Tracker {
                 take_over(resources, u.resource, ResourceState::of(u.access), found);
             }
             let next = next_state(&resources[index].copies[copy].state, u.access, *stay_in_general).owned_by(*queue_family);
-            transition(&mut resources[index], u.resource, copy, next, !u.access.reads(), found);
+            let discard = !u.access.reads() && !resources[index].is_shared_image;
+            transition(&mut resources[index], u.resource, copy, next, discard, found);
         }
         if *stay_in_general {
             found.iter_mut().for_each(Barrier::keep_general);

@@ -37,6 +37,8 @@ impl Executor {
     unsafe fn copy_input(&mut self, cmd: vk::CommandBuffer, frame: &FrameContext, id: ResourceId, name: &str) -> Result<(), Error> {
         let shape = self.denoiser.declaration().resource(id).shape;
         let Some(&object) = self.memory.storages.object(id, 0) else { return Ok(()) };
+        let is_part = self.denoiser.declaration().resource(id).is_part_of_image(self.denoiser.declaration().setup());
+        let origin = if is_part { frame.constants.viewport_origin } else { [0; 2] };
         let texels = if let Shape::Image { texels, .. } = shape { texels } else { TexelGrid::Rendered(1) };
         let extent = texels.extent(self.denoiser.declaration().setup(), frame.render_extent);
         let (format, bytes) = match object {
@@ -61,7 +63,9 @@ impl Executor {
         // phase.
         unsafe {
             self.barriers.before_access(device, cmd, storages, (id, 0), ResourceState::COPY_SOURCE, false);
-            copy(device, cmd, &object, extent, buffer, bytes as u64);
+            // An earlier frame of the slot filled the same buffer.
+            self.barriers.single(device, cmd, target, [COPIED, COPIED], false);
+            copy(device, cmd, &object, [origin, extent], buffer, bytes as u64);
             self.barriers.single(device, cmd, target, [COPIED, READ_BY_HOST], false);
         }
         Ok(())
@@ -70,7 +74,14 @@ impl Executor {
 
 /// # Safety
 /// `cmd` is recording; the input is live, in the state of a copy's source, and `buffer` has room for it.
-unsafe fn copy(device: &ash::Device, cmd: vk::CommandBuffer, from: &Object, extent: [u32; 2], buffer: vk::Buffer, bytes: u64) {
+unsafe fn copy(
+    device: &ash::Device,
+    cmd: vk::CommandBuffer,
+    from: &Object,
+    [origin, extent]: [[u32; 2]; 2],
+    buffer: vk::Buffer,
+    bytes: u64,
+) {
     let image = match from {
         Object::Image(image) => image,
         Object::Buffer { buffer: from, .. } => {
@@ -84,6 +95,6 @@ unsafe fn copy(device: &ash::Device, cmd: vk::CommandBuffer, from: &Object, exte
     // SAFETY: `cmd` is recording; the image is live and in the layout of a copy's source, and the buffer has room for its texels.
     unsafe {
         let layout = ResourceState::COPY_SOURCE.layout;
-        device.cmd_copy_image_to_buffer(cmd, image.image, layout, buffer, &[region(image, extent)])
+        device.cmd_copy_image_to_buffer(cmd, image.image, layout, buffer, &[region(image, origin, extent)])
     };
 }

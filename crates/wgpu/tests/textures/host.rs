@@ -105,7 +105,7 @@ impl Host {
             ("surface_id", Format::R32Uint, colour(1.0, 0.0)),
             ("noisy_radiance", Format::Rgba16Float, colour(LIGHT, LIGHT)),
         ];
-        let usage = Usage::TEXTURE_BINDING | Usage::RENDER_ATTACHMENT;
+        let usage = Usage::TEXTURE_BINDING | Usage::RENDER_ATTACHMENT | Usage::COPY_SRC;
         let inputs: Vec<_> =
             kinds.into_iter().map(|(name, format, value)| (name, texture(&device, format, usage), value)).collect();
         for (name, texture, _) in &inputs {

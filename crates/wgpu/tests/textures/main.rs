@@ -1,5 +1,6 @@
 //! Textures that wgpu's own passes write and read, under the validation layer with synchronisation validation.
 
+mod capture;
 mod host;
 mod outputs;
 
@@ -19,7 +20,7 @@ const TESTS: &[DeviceTest] = &[
 fn main() {
     host::listen();
     let group = |name, tests| Group { name, tests, needs_device: true };
-    atrous_harness::run(&[group("", TESTS), group("outputs", outputs::TESTS)], &gpu());
+    atrous_harness::run(&[group("", TESTS), group("capture", capture::TESTS), group("outputs", outputs::TESTS)], &gpu());
 }
 
 fn what_render_passes_wrote_is_denoised() {
