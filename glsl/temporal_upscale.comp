@@ -29,6 +29,7 @@ layout(push_constant) uniform Push {
 #include "outgoing.glsl"
 #include "demodulation.glsl"
 #include "cubic.glsl"
+#include "upscale_history.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -40,11 +41,10 @@ layout(set = 0, binding = RADIANCE_1) uniform texture2D radiance_1;
 layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
 // Storage images where neighbours are read, for the reasons that packed_image.glsl has.
 layout(set = 0, binding = 4, rgba16ui) uniform restrict readonly uimage2D guide;
-layout(set = 0, binding = 5, rgba16ui) uniform restrict readonly uimage2D previous_guide;
-layout(set = 0, binding = 6) uniform utexture2D surface_motion;
-layout(set = 0, binding = 7, rgba16f) uniform restrict readonly image2D previous_history;
-layout(set = 0, binding = 8, rgba16f) uniform writeonly image2D upscale_history;
-layout(set = 0, binding = 9, OUTGOING_FORMAT) uniform writeonly image2D upscaled_radiance;
+layout(set = 0, binding = 5) uniform utexture2D surface_motion;
+layout(set = 0, binding = 6, rgba16ui) uniform restrict readonly uimage2D previous_history;
+layout(set = 0, binding = 7, rgba16ui) uniform writeonly uimage2D upscale_history;
+layout(set = 0, binding = 8, OUTGOING_FORMAT) uniform writeonly image2D upscaled_radiance;
 
 // Sharpness of the Gaussian of samples: of a first picture, by squared rendered pixels; of one with a past, by squared pixels of the output.
 const float SHARPNESS = 2.29;
@@ -184,43 +184,40 @@ const int HIDDEN = 0;
 const int PARTLY_VISIBLE = 1;
 const int VISIBLE = 2;
 
-// How far the previous frame showed something at this depth around a position: in all of 2x2 pixels, or in one of 4x4, since jitter hides
-// what is thin in every other frame.
-int visibility_before(vec2 position, float expected) {
-    ivec2 corner = ivec2(floor(position - 0.5)) - 1;
-    bool some = false, whole = true;
-    [[unroll]] for (int y = 0; y < 4; ++y)
-        [[unroll]] for (int x = 0; x < 4; ++x) {
-            ivec2 q = nearest_inside_previous(corner + ivec2(x, y));
-            float z = guide_depth(GuideBits(imageLoad(previous_guide, q)));
-            bool same = expected > 0.0 ? abs(z - expected) <= DEPTH_TOLERANCE * expected : z == 0.0;
-            some = some || same;
-            whole = whole && (same || x == 0 || x == 3 || y == 0 || y == 3);
-        }
-    return !some ? HIDDEN : whole ? VISIBLE : PARTLY_VISIBLE;
-}
+struct Past {
+    vec3 colour;
+    float weight;
+    int visibility;
+};
 
-// rgb in this light by Catmull and Rom, which blurs less from frame to frame. Even and within its texels, since beside a lamp negative
-// weights would take all light from what is dark. The weight bilinearly.
-vec4 history_at(vec2 position, vec3 light) {
+// The history at a position, in this light. rgb by Catmull and Rom, which blurs less from frame to frame. Even and within its texels, since
+// beside a lamp negative weights would take all light from what is dark. The weight bilinearly.
+// Visibility says how far its texels belong to a surface at this depth: all of 2x2, or one of 4x4, since jitter hides what is thin in every
+// other frame.
+Past past_at(vec2 position, vec3 light, float expected) {
     vec2 corner = floor(position - 0.5), f = position - 0.5 - corner;
     vec4 wx = cubic_weights(f.x), wy = cubic_weights(f.y);
     vec4 bx = vec4(0.0, 1.0 - f.x, f.x, 0.0), by = vec4(0.0, 1.0 - f.y, f.y, 0.0);
     ivec2 last = ivec2(frame.previous_output_extent) - 1;
     vec4 sum = vec4(0.0), least = vec4(NOWHERE), most = vec4(0.0);
     float weight = 0.0;
+    bool some = false, whole = true;
     [[unroll]] for (int y = 0; y < 4; ++y)
         [[unroll]] for (int x = 0; x < 4; ++x) {
-            vec4 texel = imageLoad(previous_history, clamp(ivec2(corner) + ivec2(x, y) - 1, ivec2(0), last));
-            vec3 colour = texel.rgb * light;
+            ivec2 q = clamp(ivec2(corner) + ivec2(x, y) - 1, ivec2(0), last);
+            UpscaleHistory texel = unpack_upscale_history(imageLoad(previous_history, q));
+            vec3 colour = texel.ratio * light;
             vec4 even = vec4(colour, 1.0) * evenness(colour);
             sum += wx[x] * wy[y] * even;
             least = min(least, even);
             most = max(most, even);
-            weight += bx[x] * by[y] * texel.a;
+            weight += bx[x] * by[y] * texel.weight;
+            bool same = expected > 0.0 ? abs(texel.depth - expected) <= DEPTH_TOLERANCE * expected : texel.depth == 0.0;
+            some = some || same;
+            whole = whole && (same || x == 0 || x == 3 || y == 0 || y == 3);
         }
     sum = clamp(sum, least, most);
-    return vec4(sum.rgb / sum.a, max(weight, 0.0));
+    return Past(sum.rgb / sum.a, max(weight, 0.0), !some ? HIDDEN : whole ? VISIBLE : PARTLY_VISIBLE);
 }
 
 // Half a step of an 8-bit display in the middle. Less is the rounding of halves, by which a grey neighbourhood, a box without any width
@@ -263,18 +260,17 @@ void main() {
         vec2 motion = m.motion * extent_ratio(frame.previous_render_extent, frame.previous_output_extent);
         vec2 position = previous_position(p, motion, frame.output_extent, frame.previous_output_extent);
         bool inside = all(greaterThanEqual(position, vec2(0.0))) && all(lessThan(position, vec2(frame.previous_output_extent)));
-        vec2 rendered = position * extent_ratio(frame.previous_output_extent, frame.previous_render_extent);
-        int visibility = visibility_before(rendered, around.depth * (1.0 + m.depth_ratio));
-        if (inside && visibility != HIDDEN) {
-            vec4 texel = history_at(position, around.light);
-            vec3 history = clip_to_box(texel.rgb, around, visibility);
-            past = min(texel.a, past_limit(motion));
+        Past before = past_at(position, around.light, around.depth * (1.0 + m.depth_ratio));
+        if (inside && before.visibility != HIDDEN) {
+            vec3 history = clip_to_box(before.colour, around, before.visibility);
+            past = min(before.weight, past_limit(motion));
             float known = min(past, 1.0), even = evenness(history), now = around.weight + LEAST_WEIGHT;
             vec3 new_colour = mix(around.first, around.later, known) * now;
             float new_evenness = mix(around.first_evenness, around.later_evenness, known) * now;
             colour = (new_colour + past * even * history) / (new_evenness + past * even);
         }
     }
-    imageStore(upscale_history, p, vec4(storable(colour / around.light), storable(vec4(past + around.weight)).a));
+    UpscaleHistory kept = UpscaleHistory(colour / around.light, past + around.weight, around.depth);
+    imageStore(upscale_history, p, pack_upscale_history(kept));
     imageStore(upscaled_radiance, p, vec4(outgoing(colour * frame.inverse_filter_exposure), 1.0));
 }

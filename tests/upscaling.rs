@@ -3,7 +3,7 @@
 use super::support::display::{enlarged, reference, scene};
 use super::support::{assert_valid, frame, rmse, scene::Scene, session, upload};
 use atrous::config::{PostProcess, Preset};
-use atrous::{Config, Error, FrameParams, Lifetime, ResetReason, Setup, Tuning};
+use atrous::{Config, Error, FrameParams, ResetReason, Setup, Tuning};
 use atrous_harness::DeviceTest;
 
 pub const TESTS: &[DeviceTest] = &[
@@ -125,7 +125,7 @@ fn images_of_the_output_have_its_extent() {
                 assert_eq!(resource.bytes(declaration.setup()), 8 * 192 * 81, "{preset}, {name}");
             }
             let guide = declaration.resource(declaration.find("guide").expect("guide"));
-            assert_eq!((guide.lifetime, guide.extent(declaration.setup())), (Lifetime::History, Some(EXTENT)));
+            assert_eq!(guide.extent(declaration.setup()), Some(EXTENT));
             let larger = declaration.with_extent([100, 60]).expect("another extent");
             assert_eq!(larger.setup(), &Setup { allocated_extent: [100, 60], ..*declaration.setup() });
         }

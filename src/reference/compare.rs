@@ -8,6 +8,7 @@ use super::octahedral::octahedral10_to_normal;
 use super::reflection::{unpack_image_share, unpack_reflection};
 use super::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
 use super::texels::Texels;
+use super::upscale_history::unpack_upscale_history;
 use super::visibility::unpack_visibility;
 use crate::nodes::block_difference::twin::unpack_difference;
 use glam::IVec2;
@@ -43,6 +44,8 @@ pub(crate) enum Reading {
     SurfaceMotion,
     /// The normal of `surface_motion`. All bits 0, which stand where there is no surface, are one of four ways to say −z.
     PreviousNormal,
+    /// Ratio of light, root of the weight and depth of `upscale_history`.
+    UpscaleHistory,
     /// Both slopes.
     DepthGradient,
     /// A packed normal.
@@ -217,6 +220,10 @@ impl Reading {
                 padded([m.motion[0], m.motion[1], m.depth_ratio])
             }
             Self::PreviousNormal => padded(unpack_surface_motion(texel).previous_normal),
+            Self::UpscaleHistory => {
+                let kept = unpack_upscale_history(texel);
+                padded([kept.ratio.x, kept.ratio.y, kept.ratio.z, kept.weight.sqrt(), kept.depth])
+            }
             Self::LuminanceHistory => {
                 let m = unpack_luminance_history(texel);
                 padded([m.mean, m.deviation, m.history_length, m.reason.into()])

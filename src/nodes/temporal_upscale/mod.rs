@@ -6,7 +6,7 @@ pub(crate) mod twin;
 
 use super::{pass, UNREAD};
 use crate::contract::{Grid, Input, Lifetime, Phase, TexelGrid};
-use crate::graph::{Graph, Guides, Port, Radiance, Value, HDR, WIDE_HDR};
+use crate::graph::{Graph, Guides, Port, Radiance, Value, HDR, PACKED_64, WIDE_HDR};
 use crate::shaders;
 
 /// Parameters of the node `temporal_upscale`.
@@ -25,7 +25,7 @@ impl Graph {
             true => (&shaders::TEMPORAL_UPSCALE_FLOAT_1, WIDE_HDR),
             false => (&shaders::TEMPORAL_UPSCALE_FLOAT_0, HDR),
         };
-        let history = self.named_image("upscale_history", "", HDR, TexelGrid::Output, Lifetime::History);
+        let history = self.named_image("upscale_history", "", PACKED_64, TexelGrid::Output, Lifetime::History);
         let upscaled = self.named_image("upscaled_radiance", "", format, TexelGrid::Output, Lifetime::Transient);
         let value = if upscale.tone_mapped { Value::Own } else { UNREAD };
         let pass = pass(&node, module)
@@ -36,7 +36,6 @@ impl Graph {
             .each("radiance", radiance.images())
             .bind_some("albedo", self.given(Input::ALBEDO))
             .bind("guide", guides.rendered.guide)
-            .previous("previous_guide", guides.rendered.guide)
             .bind("surface_motion", guides.rendered.surface_motion)
             .previous("previous_history", history)
             .bind("upscale_history", history)

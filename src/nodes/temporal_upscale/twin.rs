@@ -1,16 +1,16 @@
 //! The stage `temporal_upscale`: jittered frames of the past and this one, gathered at the size of the output.
 
 use crate::nodes::demodulate::twin::divisor;
-use crate::reference::binary16::store;
 use crate::reference::bindings::Bindings;
-use crate::reference::compare::{Rule, Tolerance};
+use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
 use crate::reference::conventions::is_reset;
 use crate::reference::guide::{unpack_guide, Surface};
 use crate::reference::luminance::luminance;
 use crate::reference::outgoing::Outgoing;
 use crate::reference::projection::{extent, sample_offset};
-use crate::reference::rules::pixels;
+use crate::reference::rules::{pixels, rule};
 use crate::reference::surface_motion::unpack_surface_motion;
+use crate::reference::upscale_history::{pack_upscale_history, unpack_upscale_history, Kept};
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Error, FrameConstants, ToneCurve, Tuning};
 use glam::{IVec2, Vec2, Vec3, Vec4};
@@ -73,8 +73,6 @@ impl Shown {
     }
 }
 
-type Past<'a> = (&'a Image<[u16; 4]>, &'a Image<[f32; 4]>);
-
 /// Inputs of [`temporal_upscale`]; images have the allocated extent, but for the history, which has that of the output.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct UpscaleInputs<'a> {
@@ -88,15 +86,15 @@ pub(crate) struct UpscaleInputs<'a> {
     pub surface_motion: &'a Image<[u16; 4]>,
     /// Whether a tone map follows.
     pub tone_mapped: bool,
-    /// `guide` and `upscale_history` of the previous frame. Not read in a reset frame; `None` is treated as one.
-    pub previous: Option<Past<'a>>,
+    /// The history of the previous frame. Not read in a reset frame; `None` is treated as one.
+    pub previous: Option<&'a Image<Kept>>,
 }
 
 /// Outputs of [`temporal_upscale`], with the extent of the output.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Upscaled {
-    /// rgb: radiance divided by the light around; alpha: weight of what was gathered.
-    pub history: Image<[f32; 4]>,
+    /// For the next frame, as its image holds it.
+    pub history: Image<Kept>,
     /// Radiance.
     pub picture: Image<[f32; 4]>,
 }
@@ -130,7 +128,7 @@ struct Scene<'a> {
     shown: Shown,
     surface_motion: &'a Image<[u16; 4]>,
     samples: Image<Option<Sample>>,
-    previous: Option<(Image<Surface>, &'a Image<[f32; 4]>)>,
+    previous: Option<&'a Image<Kept>>,
 }
 
 /// Gathers the samples of this frame and of the past at the size of the output, whose allocated extent is `allocated`.
@@ -143,13 +141,13 @@ pub(crate) fn temporal_upscale(
 ) -> Upscaled {
     let scene = Scene::new(frame, tuning, inputs);
     let gathered = Image::compute(allocated, frame.output_extent, |p| Some(scene.gathered(p)));
-    let write = |texel: &dyn Fn(&Gathered) -> [f32; 4]| gathered.map(|g| g.as_ref().map_or([0.0; 4], texel));
+    let picture = |g: &Gathered| {
+        let [r, g, b] = (g.colour * frame.inverse_filter_exposure).to_array().map(|c| outgoing.store(c));
+        [r, g, b, 1.0]
+    };
     Upscaled {
-        history: write(&|g| (g.colour / g.light).extend(g.weight).to_array().map(store)),
-        picture: write(&|g| {
-            let [r, g, b] = (g.colour * frame.inverse_filter_exposure).to_array().map(|c| outgoing.store(c));
-            [r, g, b, 1.0]
-        }),
+        history: gathered.map(|g| g.as_ref().map_or(Kept::default(), Gathered::kept)),
+        picture: gathered.map(|g| g.as_ref().map_or([0.0; 4], picture)),
     }
 }
 
@@ -159,6 +157,14 @@ struct Gathered {
     colour: Vec3,
     light: Vec3,
     weight: f32,
+    depth: f32,
+}
+
+impl Gathered {
+    fn kept(&self) -> Kept {
+        let exact = Kept { ratio: self.colour / self.light, weight: self.weight, depth: self.depth };
+        unpack_upscale_history(pack_upscale_history(&exact))
+    }
 }
 
 impl<'a> Scene<'a> {
@@ -166,7 +172,6 @@ impl<'a> Scene<'a> {
         let shown = Shown::new(frame, tuning, inputs.tone_mapped);
         let samples = Image::compute(inputs.guide.extent(), frame.render_extent, |p| Some(sample(frame, shown, inputs, p)));
         let previous = inputs.previous.filter(|_| !is_reset(frame));
-        let previous = previous.map(|(guide, history)| (guide.map(|texel| unpack_guide(*texel)), history));
         Self { frame, tuning, shown, surface_motion: inputs.surface_motion, samples, previous }
     }
 
@@ -182,7 +187,7 @@ impl<'a> Scene<'a> {
             false => around.first,
         };
         let sum = now + past;
-        Gathered { colour: sum.truncate() / sum.w, light: around.light, weight: weight + around.weight }
+        Gathered { colour: sum.truncate() / sum.w, light: around.light, weight: weight + around.weight, depth: around.depth }
     }
 
     /// Sums over the samples of the 3×3 pixels around the nearest one.
@@ -239,17 +244,16 @@ impl<'a> Scene<'a> {
 
     /// Colour of the past and its weight, where it is of this surface.
     fn past(&self, p: IVec2, around: &Neighbourhood) -> Option<(Vec3, f32)> {
-        let (surfaces, history) = self.previous.as_ref()?;
+        let history = self.previous?;
         let frame = self.frame;
         let moved = unpack_surface_motion(self.surface_motion.at(around.nearest));
         let motion = Vec2::from(moved.motion) * quotient(frame.previous_output_extent, frame.previous_render_extent);
         let position = (p.as_vec2() + 0.5) * quotient(frame.previous_output_extent, frame.output_extent) + motion;
         let rect = RenderRect::new(frame.previous_output_extent);
-        let rendered = position * quotient(frame.previous_render_extent, frame.previous_output_extent);
         if !rect.contains_position(position) {
             return None;
         }
-        let is_whole = self.was_whole(surfaces, rendered, around.depth * (1.0 + moved.depth_ratio))?;
+        let is_whole = was_whole(rect, history, position, around.depth * (1.0 + moved.depth_ratio))?;
         let gamma = self.tuning.taa_gamma / if self.shown.divides { 1.0 } else { SHOWN_BOX };
         let gamma = if is_whole { gamma } else { gamma.min(WIDEST_BESIDE) };
         let (colour, weight) = history_at(self.shown, rect, history, position, around.light);
@@ -258,21 +262,20 @@ impl<'a> Scene<'a> {
         let limit = moving * (1.0 + (STILL_PAST - 1.0) * still);
         Some((clipped(self.shown, gamma, around, colour), weight.min(limit)))
     }
+}
 
-    /// Whether all of the 2×2 pixels around a position of the previous frame showed something at this depth; none where none of 4×4 did.
-    fn was_whole(&self, surfaces: &Image<Surface>, rendered: Vec2, expected: f32) -> Option<bool> {
-        let rect = RenderRect::new(self.frame.previous_render_extent);
-        let corner = (rendered - 0.5).floor().as_ivec2();
-        let shows = |offset: IVec2| {
-            let z = surfaces.at(rect.clamp(corner + offset)).linear_depth;
-            match expected > 0.0 {
-                true => (z - expected).abs() <= DEPTH_TOLERANCE * expected,
-                false => z == 0.0,
-            }
-        };
-        let some = (-1..3).any(|y| (-1..3).any(|x| shows(IVec2::new(x, y))));
-        some.then(|| (0..2).all(|y| (0..2).all(|x| shows(IVec2::new(x, y)))))
-    }
+/// Whether all of the 2×2 texels around a position belong to something at this depth; none where none of 4×4 does.
+fn was_whole(rect: RenderRect, history: &Image<Kept>, position: Vec2, expected: f32) -> Option<bool> {
+    let corner = (position - 0.5).floor().as_ivec2();
+    let belongs = |offset: IVec2| {
+        let z = history.at(rect.clamp(corner + offset)).depth;
+        match expected > 0.0 {
+            true => (z - expected).abs() <= DEPTH_TOLERANCE * expected,
+            false => z == 0.0,
+        }
+    };
+    let some = (-1..3).any(|y| (-1..3).any(|x| belongs(IVec2::new(x, y))));
+    some.then(|| (0..2).all(|y| (0..2).all(|x| belongs(IVec2::new(x, y)))))
 }
 
 /// Sides of one extent over those of another; 1 to the bit where they are equal.
@@ -295,7 +298,7 @@ fn sample(frame: &FrameConstants, shown: Shown, inputs: &UpscaleInputs, p: IVec2
 }
 
 /// The history in this light at a position in pixels: colour by Catmull and Rom, sharper than bilinear; weight bilinear.
-fn history_at(shown: Shown, rect: RenderRect, image: &Image<[f32; 4]>, s: Vec2, light: Vec3) -> (Vec3, f32) {
+fn history_at(shown: Shown, rect: RenderRect, history: &Image<Kept>, s: Vec2, light: Vec3) -> (Vec3, f32) {
     let corner = (s - 0.5).floor();
     let f = s - 0.5 - corner;
     let (x, y) = (catmull_rom_weights(f.x), catmull_rom_weights(f.y));
@@ -305,11 +308,12 @@ fn history_at(shown: Shown, rect: RenderRect, image: &Image<[f32; 4]>, s: Vec2, 
     for j in 0..4 {
         for i in 0..4 {
             let q = rect.clamp(corner.as_ivec2() + IVec2::new(i as i32 - 1, j as i32 - 1));
-            let colour = rgb(image, q) * light;
+            let kept = history.at(q);
+            let colour = kept.ratio * light;
             let even = colour.extend(1.0) * shown.evenness(colour);
             sum += x[i] * y[j] * even;
             (least, most) = (least.min(even), most.max(even));
-            weight += linear_x[i] * linear_y[j] * image.at(q)[3];
+            weight += linear_x[i] * linear_y[j] * kept.weight;
         }
     }
     let sum = sum.clamp(least, most);
@@ -343,20 +347,25 @@ fn clipped(shown: Shown, gamma: f32, around: &Neighbourhood, history: Vec3) -> V
 /// The clip divides by a deviation that is the root of a difference; a test of depth may fall the other way on its threshold.
 const CLIPPED: Tolerance = Tolerance { relative: 4e-3, absolute: 1e-3, outliers: 2e-3 };
 
+/// As above, with a step of the history's.
+const KEPT: Tolerance = Tolerance { absolute: 2e-3, ..CLIPPED };
+
 /// How what it writes is compared with the GPU.
-pub(crate) const RULES: &[Rule] = &[pixels("upscale_history", CLIPPED), pixels("upscaled_radiance", CLIPPED)];
+pub(crate) const RULES: &[Rule] =
+    &[rule("upscale_history", Unit::Pixel, Reading::UpscaleHistory, KEPT), pixels("upscaled_radiance", CLIPPED)];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let previous = b.packed("previous_history")?.map(|texel| unpack_upscale_history(*texel));
     let inputs = UpscaleInputs {
         radiance: &b.colours("radiance")?,
         albedo: b.optional_colour("albedo")?,
         guide: b.packed("guide")?,
         surface_motion: b.packed("surface_motion")?,
         tone_mapped: b.is_on("SHOWN")?,
-        previous: Some((b.packed("previous_guide")?, b.colour("previous_history")?)),
+        previous: Some(&previous),
     };
     let upscaled = temporal_upscale(&b.frame.of_guides(), b.tuning, b.extent_of("upscaled_radiance")?, Outgoing::of(b)?, &inputs);
-    b.write("upscale_history", upscaled.history)?;
+    b.write("upscale_history", upscaled.history.map(pack_upscale_history))?;
     b.write("upscaled_radiance", upscaled.picture)
 }
