@@ -2,12 +2,14 @@
 // Temporal upscaling: jittered frames of the past and this one, gathered at the size of the output. At ratio 1 temporal anti-aliasing.
 // Source: [Karis 2014] High Quality Temporal Supersampling; the clip is the variance clip of [Salvi 2016] in YCoCg.
 // Ours: the history is radiance divided by the light around, so that light that changes causes no lag; and it knows its weight.
-// In:  radiance of surfaces, of a volume, or of both, which are added; albedo of the host; guide, this frame's and the
-//      previous one's; surface_motion; upscale_history. All but the last one per rendered pixel, linear Rec. 709.
+// In:  radiance of surfaces, of a volume, or of both, which are added; albedo of the host; guide; surface_motion, or where
+//      SURFACE_ID is defined the host's motion, of which every rendered pixel has none else; upscale_history. All but the last one per
+//      rendered pixel, linear Rec. 709.
 // Out: upscale_history and upscaled_radiance, per pixel of the output.
 // Constant SHOWN: a tone map follows, so means are those of a display.
 // variants: FLOAT=0 FLOAT=1
-// optional: radiance_1, albedo
+// variants: FLOAT=0,SURFACE_ID=0 FLOAT=0,SURFACE_ID=1 FLOAT=1,SURFACE_ID=0 FLOAT=1,SURFACE_ID=1
+// optional: radiance_1, albedo, motion, instance_transforms
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
@@ -35,16 +37,47 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 const uint RADIANCE_1 = 2u;
 const uint ALBEDO = 3u;
+#ifdef SURFACE_ID
+const uint MOTION = 5u;
+const uint INSTANCE_TRANSFORMS = 9u;
+#endif
 
+#ifdef SURFACE_ID
+#include "statistics.glsl"
+layout(set = 0, binding = 10) uniform texture2D radiance_0;
+#else
 layout(set = 0, binding = 1) uniform texture2D radiance_0;
+#endif
 layout(set = 0, binding = RADIANCE_1) uniform texture2D radiance_1;
 layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
 // Storage images where neighbours are read, for the reasons that packed_image.glsl has.
 layout(set = 0, binding = 4, rgba16ui) uniform restrict readonly uimage2D guide;
+#ifdef SURFACE_ID
+layout(set = 0, binding = MOTION) uniform texture2D motion;
+layout(set = 0, binding = INSTANCE_TRANSFORMS, std430) readonly buffer InstanceTransforms { vec4 rows[]; } instance_transforms;
+#if SURFACE_ID
+layout(set = 0, binding = 11) uniform utexture2D surface_id;
+#endif
+#else
 layout(set = 0, binding = 5) uniform utexture2D surface_motion;
-layout(set = 0, binding = 6, rgba16ui) uniform restrict readonly uimage2D previous_history;
+#endif
+layout(set = 0, binding = 6, rgba16ui) uniform restrict readonly uimage2D previous_upscale_history;
 layout(set = 0, binding = 7, rgba16ui) uniform writeonly uimage2D upscale_history;
 layout(set = 0, binding = 8, OUTGOING_FORMAT) uniform writeonly image2D upscaled_radiance;
+
+#ifdef SURFACE_ID
+#include "surface_id.glsl"
+#include "host_motion.glsl"
+#endif
+
+// Of the surface of a rendered pixel at a depth.
+SurfaceMotion motion_at(ivec2 p, float depth) {
+#ifdef SURFACE_ID
+    return motion_of(p, depth, id_at(p), vec3(0.0, 0.0, 1.0));
+#else
+    return unpack_surface_motion(texelFetch(surface_motion, p, 0));
+#endif
+}
 
 // Sharpness of the Gaussian of samples: of a first picture, by squared rendered pixels; of one with a past, by squared pixels of the output.
 const float SHARPNESS = 2.29;
@@ -205,7 +238,7 @@ Past past_at(vec2 position, vec3 light, float expected) {
     [[unroll]] for (int y = 0; y < 4; ++y)
         [[unroll]] for (int x = 0; x < 4; ++x) {
             ivec2 q = clamp(ivec2(corner) + ivec2(x, y) - 1, ivec2(0), last);
-            UpscaleHistory texel = unpack_upscale_history(imageLoad(previous_history, q));
+            UpscaleHistory texel = unpack_upscale_history(imageLoad(previous_upscale_history, q));
             vec3 colour = texel.ratio * light;
             vec4 even = vec4(colour, 1.0) * evenness(colour);
             sum += wx[x] * wy[y] * even;
@@ -244,9 +277,9 @@ vec3 clip_to_box(vec3 history, Neighbourhood around, int visibility) {
 }
 
 // Weight of the past: what moves is resampled in every frame, and blurs.
-float past_limit(vec2 motion) {
+float past_limit(vec2 moved) {
     float moving = 1.0 / push.taa_alpha - 1.0;
-    return moving * mix(1.0, STILL_PAST, exp(-STILL_SHARPNESS * dot(motion, motion)));
+    return moving * mix(1.0, STILL_PAST, exp(-STILL_SHARPNESS * dot(moved, moved)));
 }
 
 void main() {
@@ -256,14 +289,14 @@ void main() {
     vec3 colour = around.first / around.first_evenness;
     float past = 0.0;
     if (!has_flag(FLAG_RESET)) {
-        SurfaceMotion m = unpack_surface_motion(texelFetch(surface_motion, around.nearest, 0));
-        vec2 motion = m.motion * extent_ratio(frame.previous_render_extent, frame.previous_output_extent);
-        vec2 position = previous_position(p, motion, frame.output_extent, frame.previous_output_extent);
+        SurfaceMotion m = motion_at(around.nearest, around.depth);
+        vec2 moved = m.motion * extent_ratio(frame.previous_render_extent, frame.previous_output_extent);
+        vec2 position = previous_position(p, moved, frame.output_extent, frame.previous_output_extent);
         bool inside = all(greaterThanEqual(position, vec2(0.0))) && all(lessThan(position, vec2(frame.previous_output_extent)));
         Past before = past_at(position, around.light, around.depth * (1.0 + m.depth_ratio));
         if (inside && before.visibility != HIDDEN) {
             vec3 history = clip_to_box(before.colour, around, before.visibility);
-            past = min(before.weight, past_limit(motion));
+            past = min(before.weight, past_limit(moved));
             float known = min(past, 1.0), even = evenness(history), now = around.weight + LEAST_WEIGHT;
             vec3 new_colour = mix(around.first, around.later, known) * now;
             float new_evenness = mix(around.first_evenness, around.later_evenness, known) * now;

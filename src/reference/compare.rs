@@ -90,6 +90,8 @@ pub(crate) enum Condition {
     Is(&'static str, u32),
     /// Passes whose specialisation constant has another value.
     IsNot(&'static str, u32),
+    /// Passes whose specialisation constants are both off.
+    Neither([&'static str; 2]),
 }
 
 /// The rule by which one binding that a stage writes is compared.
@@ -118,6 +120,7 @@ impl Rule {
             Condition::Always => true,
             Condition::Is(name, wanted) => value(name) == Some(wanted),
             Condition::IsNot(name, other) => value(name) != Some(other),
+            Condition::Neither(names) => names.iter().all(|name| value(name) != Some(1)),
         }
     }
 

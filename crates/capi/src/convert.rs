@@ -76,6 +76,7 @@ impl AtrousFrameParams {
             complete_frames: Some(self.complete_frames).filter(|count| *count != u64::MAX),
             lights: matrix(self.lights),
             light_offset: self.light_offset,
+            output_extent: (self.output_extent != [0; 2]).then_some(self.output_extent),
             ..FrameParams::new([self.render_width, self.render_height])
         })
     }
@@ -98,6 +99,7 @@ impl AtrousFrameParams {
             complete_frames: u64::MAX,
             lights: [0.0; 16],
             light_offset: [0; 2],
+            output_extent: [0; 2],
         }
     }
 }

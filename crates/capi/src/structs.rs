@@ -130,6 +130,9 @@ pub struct AtrousFrameParams {
     pub lights: [f32; 16],
     /// With AtrousConfig.light_extent, the rendered pixel of each cell that light was traced for: 0, or 1 along a halved axis.
     pub light_offset: [u32; 2],
+    /// Width and height of the picture that you show, anchored top left: at most AtrousConfig.output_extent, and 1 to 3 times what is
+    /// rendered. They may differ from frame to frame. 0, 0: all of it.
+    pub output_extent: [u32; 2],
 }
 
 /// A frame that was begun. Plain data: copy it as you like.

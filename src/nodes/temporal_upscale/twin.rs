@@ -7,12 +7,14 @@ use crate::reference::conventions::is_reset;
 use crate::reference::guide::{unpack_guide, Surface};
 use crate::reference::luminance::luminance;
 use crate::reference::outgoing::Outgoing;
-use crate::reference::projection::{extent, sample_offset};
-use crate::reference::rules::{pixels, rule};
+use crate::reference::projection::{extent, sample_offset, Projections};
+use crate::reference::reprojection::{reproject, transform_of, HostMotion, InstanceTransform, Reprojection};
+use crate::reference::rules::{pixels, rule, STATISTICS};
+use crate::reference::statistics::count;
 use crate::reference::surface_motion::unpack_surface_motion;
 use crate::reference::upscale_history::{pack_upscale_history, unpack_upscale_history, Kept};
 use crate::reference::{render_rect::RenderRect, Image};
-use crate::{Error, FrameConstants, ToneCurve, Tuning};
+use crate::{Counter, Error, FrameConstants, Statistics, ToneCurve, Tuning};
 use glam::{IVec2, Vec2, Vec3, Vec4};
 
 #[cfg(test)]
@@ -73,6 +75,39 @@ impl Shown {
     }
 }
 
+/// Motion of every rendered pixel.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Motion<'a> {
+    /// The image `surface_motion`, from the stage `import`.
+    Stored(&'a Image<[u16; 4]>),
+    /// That of the host, where `import` has the pixels with light alone.
+    Host {
+        /// The host's image.
+        motion: Option<&'a Image<[f32; 4]>>,
+        /// The host's ids.
+        surface_id: Option<&'a Image<u32>>,
+        /// The transforms of its instances.
+        transforms: Option<&'a [InstanceTransform]>,
+    },
+}
+
+impl Motion<'_> {
+    /// Of a surface, or of the background at depth 0.
+    fn at(&self, frame: &FrameConstants, p: IVec2, depth: f32) -> Reprojection {
+        match *self {
+            Self::Stored(motion) => {
+                let moved = unpack_surface_motion(motion.at(p));
+                Reprojection { motion: moved.motion.into(), depth_ratio: moved.depth_ratio, is_bad: false }
+            }
+            Self::Host { motion, surface_id, transforms } => {
+                let transform = surface_id.and_then(|ids| transform_of(transforms?, ids.at(p)));
+                let host = HostMotion { texel: motion.map(|m| m.at(p)), transform: transform.filter(|_| depth > 0.0) };
+                reproject(frame, &Projections::new(frame), p, depth, host)
+            }
+        }
+    }
+}
+
 /// Inputs of [`temporal_upscale`]; images have the allocated extent, but for the history, which has that of the output.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct UpscaleInputs<'a> {
@@ -82,8 +117,8 @@ pub(crate) struct UpscaleInputs<'a> {
     pub albedo: Option<&'a Image<[f32; 4]>>,
     /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
-    /// The image `surface_motion`, from the stage `import`.
-    pub surface_motion: &'a Image<[u16; 4]>,
+    /// Motion of every rendered pixel.
+    pub motion: Motion<'a>,
     /// Whether a tone map follows.
     pub tone_mapped: bool,
     /// The history of the previous frame. Not read in a reset frame; `None` is treated as one.
@@ -97,6 +132,8 @@ pub(crate) struct Upscaled {
     pub history: Image<Kept>,
     /// Radiance.
     pub picture: Image<[f32; 4]>,
+    /// Motion of the host that was not finite.
+    pub statistics: Statistics,
 }
 
 /// A rendered pixel, in the filter's exposure.
@@ -126,7 +163,7 @@ struct Scene<'a> {
     frame: &'a FrameConstants,
     tuning: &'a Tuning,
     shown: Shown,
-    surface_motion: &'a Image<[u16; 4]>,
+    motion: Motion<'a>,
     samples: Image<Option<Sample>>,
     previous: Option<&'a Image<Kept>>,
 }
@@ -145,7 +182,10 @@ pub(crate) fn temporal_upscale(
         let [r, g, b] = (g.colour * frame.inverse_filter_exposure).to_array().map(|c| outgoing.store(c));
         [r, g, b, 1.0]
     };
+    let mut statistics = Statistics::default();
+    statistics[Counter::Motion] = count(gathered.texels().iter().map(|g| g.as_ref().is_some_and(|g| g.is_motion_bad)));
     Upscaled {
+        statistics,
         history: gathered.map(|g| g.as_ref().map_or(Kept::default(), Gathered::kept)),
         picture: gathered.map(|g| g.as_ref().map_or([0.0; 4], picture)),
     }
@@ -158,6 +198,7 @@ struct Gathered {
     light: Vec3,
     weight: f32,
     depth: f32,
+    is_motion_bad: bool,
 }
 
 impl Gathered {
@@ -172,11 +213,12 @@ impl<'a> Scene<'a> {
         let shown = Shown::new(frame, tuning, inputs.tone_mapped);
         let samples = Image::compute(inputs.guide.extent(), frame.render_extent, |p| Some(sample(frame, shown, inputs, p)));
         let previous = inputs.previous.filter(|_| !is_reset(frame));
-        Self { frame, tuning, shown, surface_motion: inputs.surface_motion, samples, previous }
+        Self { frame, tuning, shown, motion: inputs.motion, samples, previous }
     }
 
     fn gathered(&self, p: IVec2) -> Gathered {
         let around = self.neighbourhood(p);
+        let is_motion_bad = self.previous.is_some() && self.motion.at(self.frame, around.nearest, around.depth).is_bad;
         let (past, weight) = match self.past(p, &around) {
             Some((history, past)) => (history.extend(1.0) * self.shown.evenness(history) * past, past),
             None => (Vec4::ZERO, 0.0),
@@ -187,7 +229,13 @@ impl<'a> Scene<'a> {
             false => around.first,
         };
         let sum = now + past;
-        Gathered { colour: sum.truncate() / sum.w, light: around.light, weight: weight + around.weight, depth: around.depth }
+        Gathered {
+            colour: sum.truncate() / sum.w,
+            light: around.light,
+            weight: weight + around.weight,
+            depth: around.depth,
+            is_motion_bad,
+        }
     }
 
     /// Sums over the samples of the 3×3 pixels around the nearest one.
@@ -246,8 +294,8 @@ impl<'a> Scene<'a> {
     fn past(&self, p: IVec2, around: &Neighbourhood) -> Option<(Vec3, f32)> {
         let history = self.previous?;
         let frame = self.frame;
-        let moved = unpack_surface_motion(self.surface_motion.at(around.nearest));
-        let motion = Vec2::from(moved.motion) * quotient(frame.previous_output_extent, frame.previous_render_extent);
+        let moved = self.motion.at(frame, around.nearest, around.depth);
+        let motion = moved.motion * quotient(frame.previous_output_extent, frame.previous_render_extent);
         let position = (p.as_vec2() + 0.5) * quotient(frame.previous_output_extent, frame.output_extent) + motion;
         let rect = RenderRect::new(frame.previous_output_extent);
         if !rect.contains_position(position) {
@@ -352,20 +400,32 @@ const KEPT: Tolerance = Tolerance { absolute: 2e-3, ..CLIPPED };
 
 /// How what it writes is compared with the GPU.
 pub(crate) const RULES: &[Rule] =
-    &[rule("upscale_history", Unit::Pixel, Reading::UpscaleHistory, KEPT), pixels("upscaled_radiance", CLIPPED)];
+    &[STATISTICS, rule("upscale_history", Unit::Pixel, Reading::UpscaleHistory, KEPT), pixels("upscaled_radiance", CLIPPED)];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
-    let previous = b.packed("previous_history")?.map(|texel| unpack_upscale_history(*texel));
+    let previous = b.packed("previous_upscale_history")?.map(|texel| unpack_upscale_history(*texel));
+    let transforms = b.instance_transforms()?;
+    let motion = match b.optional_packed("surface_motion")? {
+        Some(motion) => Motion::Stored(motion),
+        None => Motion::Host {
+            motion: b.optional_colour("motion")?,
+            surface_id: b.optional_uint("surface_id")?,
+            transforms: transforms.as_deref(),
+        },
+    };
     let inputs = UpscaleInputs {
         radiance: &b.colours("radiance")?,
         albedo: b.optional_colour("albedo")?,
         guide: b.packed("guide")?,
-        surface_motion: b.packed("surface_motion")?,
+        motion,
         tone_mapped: b.is_on("SHOWN")?,
         previous: Some(&previous),
     };
     let upscaled = temporal_upscale(&b.frame.of_guides(), b.tuning, b.extent_of("upscaled_radiance")?, Outgoing::of(b)?, &inputs);
+    if b.has("statistics") {
+        b.count(&upscaled.statistics)?;
+    }
     b.write("upscale_history", upscaled.history.map(pack_upscale_history))?;
     b.write("upscaled_radiance", upscaled.picture)
 }

@@ -26,8 +26,8 @@ fn tuned(
     radiance: &Image<[f32; 4]>,
     previous: Option<&Image<Kept>>,
 ) -> Upscaled {
-    let (guide, surface_motion) = (&guides.guide, &guides.surface_motion);
-    let inputs = UpscaleInputs { radiance: &[radiance], albedo: None, tone_mapped: false, guide, surface_motion, previous };
+    let (guide, motion) = (&guides.guide, Motion::Stored(&guides.surface_motion));
+    let inputs = UpscaleInputs { radiance: &[radiance], albedo: None, tone_mapped: false, guide, motion, previous };
     temporal_upscale(frame, tuning, frame.output_extent, Outgoing::Halves, &inputs)
 }
 
@@ -54,7 +54,7 @@ fn history_of(
     radiance: &Image<[f32; 4]>,
     colour: impl Fn(i32, i32) -> f32,
 ) -> Image<Kept> {
-    let Upscaled { history, picture } = run(&reset(*frame), guides, radiance, None);
+    let Upscaled { history, picture, .. } = run(&reset(*frame), guides, radiance, None);
     paint(history.extent(), |x, y| {
         let (kept, now) = (history.at(IVec2::new(x, y)), rgb(&picture, IVec2::new(x, y)));
         Kept { ratio: kept.ratio / now * colour(x, y), weight: 100.0, ..kept }
@@ -112,7 +112,10 @@ fn a_sample_weighs_as_much_as_the_past_leaves_it() {
             let past = (1.0 / alpha - 1.0) * longer;
             let around = run(&reset(frame), &scene, &checks, None);
             // With a step of the history's weight.
-            assert!((given.history.at(p).weight - past - around.history.at(p).weight).abs() < 0.01 * past + 0.02, "{motion:?} {alpha}");
+            assert!(
+                (given.history.at(p).weight - past - around.history.at(p).weight).abs() < 0.01 * past + 0.02,
+                "{motion:?} {alpha}"
+            );
         }
     }
     let first = run(&reset(frame(EXTENT)), &flat(EXTENT), &grey, None);
@@ -127,10 +130,9 @@ fn light_that_changes_causes_no_lag() {
     let frame = frame_to(EXTENT, OUTPUT);
     let scene = flat(EXTENT);
     let step = |light: f32, previous: Option<&Image<Kept>>| {
-        let (guide, surface_motion) = (&scene.guide, &scene.surface_motion);
+        let (guide, motion) = (&scene.guide, Motion::Stored(&scene.surface_motion));
         let radiance = lit(light);
-        let inputs =
-            UpscaleInputs { radiance: &[&radiance], albedo: Some(&albedo), tone_mapped: false, guide, surface_motion, previous };
+        let inputs = UpscaleInputs { radiance: &[&radiance], albedo: Some(&albedo), tone_mapped: false, guide, motion, previous };
         temporal_upscale(&frame, &svgf_tuning(), OUTPUT, Outgoing::Halves, &inputs)
     };
     let settle = |light| (0..30).fold(step(light, None), |now, _| step(light, Some(&now.history)));
@@ -200,10 +202,10 @@ fn a_surface_that_was_not_there_has_no_past() {
     let frame = FrameConstants { jitter: [0.2, 0.1], ..frame_to(EXTENT, OUTPUT) };
     let image = noise(EXTENT, 3);
     let run_after = |before: &dyn Fn(i32, i32) -> f32| {
-        let (guide, surface_motion) = (&flat(EXTENT).guide, &flat(EXTENT).surface_motion);
+        let (guide, motion) = (&flat(EXTENT).guide, Motion::Stored(&flat(EXTENT).surface_motion));
         let history = paint(OUTPUT, |x, y| Kept { ratio: Vec3::ONE, weight: 2.0, depth: before(x, y) });
         let previous = Some(&history);
-        let inputs = UpscaleInputs { radiance: &[&image], albedo: None, tone_mapped: false, guide, surface_motion, previous };
+        let inputs = UpscaleInputs { radiance: &[&image], albedo: None, tone_mapped: false, guide, motion, previous };
         temporal_upscale(&frame, &svgf_tuning(), OUTPUT, Outgoing::Halves, &inputs)
     };
     let first = run(&reset(frame), &flat(EXTENT), &image, None);
@@ -220,12 +222,12 @@ fn a_surface_that_was_not_there_has_no_past() {
 #[test]
 fn what_was_just_uncovered_keeps_little_of_the_colour_beside_it() {
     let (frame, image) = (frame_to(EXTENT, OUTPUT), noise(EXTENT, 3));
-    let (guide, surface_motion) = (&flat(EXTENT).guide, &flat(EXTENT).surface_motion);
+    let (guide, motion) = (&flat(EXTENT).guide, Motion::Stored(&flat(EXTENT).surface_motion));
     // The history has the depth of the nearest surface around, so the outline belongs to the near thing.
     let covered = |x: i32| if x < 14 { 2.0 } else { 4.0 };
     let history = paint(OUTPUT, |x, _| Kept { ratio: Vec3::splat(50.0), weight: 2.0, depth: covered(x) });
     let previous = Some(&history);
-    let inputs = UpscaleInputs { radiance: &[&image], albedo: None, tone_mapped: false, guide, surface_motion, previous };
+    let inputs = UpscaleInputs { radiance: &[&image], albedo: None, tone_mapped: false, guide, motion, previous };
     let after = temporal_upscale(&frame, &svgf_tuning(), OUTPUT, Outgoing::Halves, &inputs).picture;
     let brightest = |x: i32| (2..OUTPUT[1] as i32 - 2).map(|y| after.at(IVec2::new(x, y))[1]).fold(0.0, f32::max);
     let (beside, away) = (brightest(12), brightest(18));
@@ -325,10 +327,9 @@ fn gathered(
         });
         let scene = flat(extent);
         let white = Image::new(extent, [1.0; 4]);
-        let (guide, surface_motion) = (&scene.guide, &scene.surface_motion);
+        let (guide, motion) = (&scene.guide, Motion::Stored(&scene.surface_motion));
         let previous = past.as_ref().filter(|_| keeps);
-        let inputs =
-            UpscaleInputs { radiance: &[&image], albedo: Some(&white), tone_mapped: false, guide, surface_motion, previous };
+        let inputs = UpscaleInputs { radiance: &[&image], albedo: Some(&white), tone_mapped: false, guide, motion, previous };
         let now = temporal_upscale(&frame, &svgf_tuning(), output, Outgoing::Halves, &inputs);
         past = Some(now.history);
         pictures.push(now.picture);
@@ -427,8 +428,8 @@ fn an_edge_of_a_lamp_is_as_smooth_as_a_display_shows_it() {
         };
         let at = |tone_mapped: bool| {
             let radiance = paint(EXTENT, |x, _| [lamp(x as f32); 4]);
-            let (guide, surface_motion) = (&scene.guide, &scene.surface_motion);
-            let inputs = UpscaleInputs { radiance: &[&radiance], albedo: None, tone_mapped, guide, surface_motion, previous: None };
+            let (guide, motion) = (&scene.guide, Motion::Stored(&scene.surface_motion));
+            let inputs = UpscaleInputs { radiance: &[&radiance], albedo: None, tone_mapped, guide, motion, previous: None };
             let frame = FrameConstants { jitter: [0.5, 0.0], ..frame(EXTENT) };
             show(temporal_upscale(&reset(frame), &tuning, EXTENT, Outgoing::Halves, &inputs).picture.at(IVec2::new(6, 5)))
         };
@@ -446,9 +447,9 @@ fn a_dark_thing_beside_a_lamp_keeps_its_light() {
     scene.surface_motion = Image::new(EXTENT, pack_surface_motion([0.5, 0.0], Some((0.0, [0.0, 0.0, 1.0]))));
     let radiance = paint(EXTENT, |x, _| [lamp(x); 4]);
     let history = paint(EXTENT, |x, _| Kept { ratio: Vec3::splat(lamp(x)), weight: 100.0, depth: 4.0 });
-    let (guide, surface_motion) = (&scene.guide, &scene.surface_motion);
+    let (guide, motion) = (&scene.guide, Motion::Stored(&scene.surface_motion));
     let previous = Some(&history);
-    let inputs = UpscaleInputs { radiance: &[&radiance], albedo: None, tone_mapped: true, guide, surface_motion, previous };
+    let inputs = UpscaleInputs { radiance: &[&radiance], albedo: None, tone_mapped: true, guide, motion, previous };
     let picture = temporal_upscale(&frame(EXTENT), &long_past(), EXTENT, Outgoing::Halves, &inputs).picture;
     for x in 0..EXTENT[0] as i32 {
         let shown = picture.at(IVec2::new(x, 5))[0];

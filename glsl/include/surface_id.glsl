@@ -1,0 +1,13 @@
+// The host's id of a pixel. Needs the binding `surface_id` where SURFACE_ID is 1.
+#ifndef SURFACE_ID_GLSL
+#define SURFACE_ID_GLSL
+
+uint id_at(ivec2 p) {
+#if SURFACE_ID
+    return texelFetch(surface_id, p, 0).x;
+#else
+    return 1u;
+#endif
+}
+
+#endif
