@@ -96,6 +96,8 @@ const float STILL_SHARPNESS = 200.0;
 // Largest difference of depth to a past of the same surface, as a share.
 const float DEPTH_TOLERANCE = 0.05;
 
+// That of the brightest light of the history, over the light around.
+const float LEAST_EVENNESS = 1e-4;
 // Beyond any light, so that sums and quotients are finite.
 const float BRIGHTEST_SAMPLE = 1e30;
 // Beyond any depth.
@@ -217,14 +219,17 @@ const int HIDDEN = 0;
 const int PARTLY_VISIBLE = 1;
 const int VISIBLE = 2;
 
+vec3 uneven(vec3 even) { return even / max(1.0 - luminance(even), LEAST_EVENNESS); }
+
 struct Past {
     vec3 colour;
+    vec3 around;  // mean of its texels, where a tone map follows
     float weight;
     int visibility;
 };
 
-// The history at a position, in this light. rgb by Catmull and Rom, which blurs less from frame to frame. Even and within its texels, since
-// beside a lamp negative weights would take all light from what is dark. The weight bilinearly.
+// The history at a position, in this light. rgb by Catmull and Rom, which blurs less from frame to frame. Within its texels, since beside a
+// lamp negative weights would take all light from what is dark. The weight bilinearly.
 // Visibility says how far its texels belong to a surface at this depth: all of 2x2, or one of 4x4, since jitter hides what is thin in every
 // other frame.
 Past past_at(vec2 position, vec3 light, float expected) {
@@ -232,25 +237,28 @@ Past past_at(vec2 position, vec3 light, float expected) {
     vec4 wx = cubic_weights(f.x), wy = cubic_weights(f.y);
     vec4 bx = vec4(0.0, 1.0 - f.x, f.x, 0.0), by = vec4(0.0, 1.0 - f.y, f.y, 0.0);
     ivec2 last = ivec2(frame.previous_output_extent) - 1;
-    vec4 sum = vec4(0.0), least = vec4(NOWHERE), most = vec4(0.0);
+    vec4 gx = exp(-BOX_SHARPNESS * (vec4(-1.0, 0.0, 1.0, 2.0) - f.x) * (vec4(-1.0, 0.0, 1.0, 2.0) - f.x));
+    vec4 gy = exp(-BOX_SHARPNESS * (vec4(-1.0, 0.0, 1.0, 2.0) - f.y) * (vec4(-1.0, 0.0, 1.0, 2.0) - f.y));
+    vec3 mean = vec3(0.0);
+    vec3 sum = vec3(0.0), least = vec3(NOWHERE), most = vec3(0.0);
     float weight = 0.0;
     bool some = false, whole = true;
     [[unroll]] for (int y = 0; y < 4; ++y)
         [[unroll]] for (int x = 0; x < 4; ++x) {
             ivec2 q = clamp(ivec2(corner) + ivec2(x, y) - 1, ivec2(0), last);
             UpscaleHistory texel = unpack_upscale_history(imageLoad(previous_upscale_history, q));
-            vec3 colour = texel.ratio * light;
-            vec4 even = vec4(colour, 1.0) * evenness(colour);
-            sum += wx[x] * wy[y] * even;
-            least = min(least, even);
-            most = max(most, even);
+            sum += wx[x] * wy[y] * texel.even;
+            if (SHOWN) mean += gx[x] * gy[y] * texel.even;
+            least = min(least, texel.even);
+            most = max(most, texel.even);
             weight += bx[x] * by[y] * texel.weight;
             bool same = expected > 0.0 ? abs(texel.depth - expected) <= DEPTH_TOLERANCE * expected : texel.depth == 0.0;
             some = some || same;
             whole = whole && (same || x == 0 || x == 3 || y == 0 || y == 3);
         }
     sum = clamp(sum, least, most);
-    return Past(sum.rgb / sum.a, max(weight, 0.0), !some ? HIDDEN : whole ? VISIBLE : PARTLY_VISIBLE);
+    mean /= dot(gx, vec4(1.0)) * dot(gy, vec4(1.0));
+    return Past(uneven(sum) * light, uneven(mean), max(weight, 0.0), !some ? HIDDEN : whole ? VISIBLE : PARTLY_VISIBLE);
 }
 
 // Half a step of an 8-bit display in the middle. Less is the rounding of halves, by which a grey neighbourhood, a box without any width
@@ -262,17 +270,30 @@ const float SHOWN_BOX = 3.0;
 // The widest box, in deviations, where the past lies beside another surface: what was just uncovered would keep that one's colour.
 const float WIDEST_BESIDE = 1.5;
 
+// Means that differ by less are noise or edges: in deviations, and as a share of the mean.
+const float SAME_DEVIATION = 0.5;
+const float SAME_SHARE = 0.1;
+
+// What the light around changed by, where nothing was divided by it: from none of it to all, at twice the difference that is none.
+vec3 change_of_light(Past before, Neighbourhood around) {
+    vec3 offset = ycocg(before.around * evenness(before.around)) - around.mean;
+    vec3 ratio = abs(offset) / max(SAME_DEVIATION * around.deviation, max(SAME_SHARE * around.mean.x, 1e-6));
+    return offset * clamp(max(ratio.x, max(ratio.y, ratio.z)) - 1.0, 0.0, 1.0);
+}
+
 // Towards the mean and not per channel, which would shift the hue.
-vec3 clip_to_box(vec3 history, Neighbourhood around, int visibility) {
-    vec3 offset = ycocg(history * evenness(history)) - around.mean;
+vec3 clip_to_box(Past before, Neighbourhood around) {
+    vec3 offset = ycocg(before.colour * evenness(before.colour)) - around.mean;
+    vec3 change = SHOWN ? change_of_light(before, around) : vec3(0.0);
+    offset -= change;
     // Light that changes is for the box to find where nothing was divided by it.
     float gamma = SHOWN ? push.taa_gamma / SHOWN_BOX : push.taa_gamma;
-    if (visibility == PARTLY_VISIBLE) gamma = min(gamma, WIDEST_BESIDE);
+    if (before.visibility == PARTLY_VISIBLE) gamma = min(gamma, WIDEST_BESIDE);
     vec3 extent = max(gamma * around.deviation, max(SMALLEST_BOX * around.mean.x, 1e-6));
     vec3 ratio = abs(offset) / extent;
     float excess = max(ratio.x, max(ratio.y, ratio.z));
-    if (excess <= 1.0) return history;
-    vec3 clipped = max(rgb(around.mean + offset / excess), 0.0);
+    if (excess <= 1.0 && change == vec3(0.0)) return before.colour;
+    vec3 clipped = max(rgb(around.mean + offset / max(excess, 1.0)), 0.0);
     return clipped / max(1.0 - steepness() * luminance(clipped), 1e-4);
 }
 
@@ -295,7 +316,7 @@ void main() {
         bool inside = all(greaterThanEqual(position, vec2(0.0))) && all(lessThan(position, vec2(frame.previous_output_extent)));
         Past before = past_at(position, around.light, around.depth * (1.0 + m.depth_ratio));
         if (inside && before.visibility != HIDDEN) {
-            vec3 history = clip_to_box(before.colour, around, before.visibility);
+            vec3 history = clip_to_box(before, around);
             past = min(before.weight, past_limit(moved));
             float known = min(past, 1.0), even = evenness(history), now = around.weight + LEAST_WEIGHT;
             vec3 new_colour = mix(around.first, around.later, known) * now;
@@ -303,7 +324,8 @@ void main() {
             colour = (new_colour + past * even * history) / (new_evenness + past * even);
         }
     }
-    UpscaleHistory kept = UpscaleHistory(colour / around.light, past + around.weight, around.depth);
+    vec3 ratio = colour / around.light;
+    UpscaleHistory kept = UpscaleHistory(ratio / (1.0 + luminance(ratio)), past + around.weight, around.depth);
     imageStore(upscale_history, p, pack_upscale_history(kept));
     imageStore(upscaled_radiance, p, vec4(outgoing(colour * frame.inverse_filter_exposure), 1.0));
 }

@@ -3,7 +3,7 @@
 #define UPSCALE_HISTORY_GLSL
 
 struct UpscaleHistory {
-    vec3 ratio;    // radiance divided by the light around
+    vec3 even;     // r/(1 + luminance(r)) of the radiance r divided by the light around: so means of few bright texels are no spots
     float weight;  // of what was gathered
     float depth;   // of the surface that it belongs to, scene units; 0: background
 };
@@ -15,7 +15,7 @@ const float LARGEST_WEIGHT = 128.0;
 const float WEIGHT_STEPS = 1023.0;
 
 uvec4 pack_upscale_history(UpscaleHistory h) {
-    vec3 c = clamp(h.ratio, 0.0, 65504.0);
+    vec3 c = clamp(h.even, 0.0, 65504.0);
     int exponent = max(int(floatBitsToUint(max(max(c.r, c.g), c.b)) >> 23) - 126, LEAST_EXPONENT);
     uvec3 mantissa = min(uvec3(c * uintBitsToFloat(uint(138 - exponent) << 23) + 0.5), 2047u);
     uint weight = uint(sqrt(min(h.weight, LARGEST_WEIGHT) / LARGEST_WEIGHT) * WEIGHT_STEPS + 0.5);

@@ -44,7 +44,7 @@ pub(crate) enum Reading {
     SurfaceMotion,
     /// The normal of `surface_motion`. All bits 0, which stand where there is no surface, are one of four ways to say −z.
     PreviousNormal,
-    /// Ratio of light, root of the weight and depth of `upscale_history`.
+    /// Even light, root of the weight and depth of `upscale_history`.
     UpscaleHistory,
     /// Both slopes.
     DepthGradient,
@@ -225,7 +225,7 @@ impl Reading {
             Self::PreviousNormal => padded(unpack_surface_motion(texel).previous_normal),
             Self::UpscaleHistory => {
                 let kept = unpack_upscale_history(texel);
-                padded([kept.ratio.x, kept.ratio.y, kept.ratio.z, kept.weight.sqrt(), kept.depth])
+                padded([kept.even.x, kept.even.y, kept.even.z, kept.weight.sqrt(), kept.depth])
             }
             Self::LuminanceHistory => {
                 let m = unpack_luminance_history(texel);

@@ -12,7 +12,7 @@ use crate::reference::reprojection::{reproject, transform_of, HostMotion, Instan
 use crate::reference::rules::{pixels, rule, STATISTICS};
 use crate::reference::statistics::count;
 use crate::reference::surface_motion::unpack_surface_motion;
-use crate::reference::upscale_history::{pack_upscale_history, unpack_upscale_history, Kept};
+use crate::reference::upscale_history::{pack_upscale_history, ratio_of, unpack_upscale_history, Kept};
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Counter, Error, FrameConstants, Statistics, ToneCurve, Tuning};
 use glam::{IVec2, Vec2, Vec3, Vec4};
@@ -203,7 +203,7 @@ struct Gathered {
 
 impl Gathered {
     fn kept(&self) -> Kept {
-        let exact = Kept { ratio: self.colour / self.light, weight: self.weight, depth: self.depth };
+        let exact = Kept::new(self.colour / self.light, self.weight, self.depth);
         unpack_upscale_history(pack_upscale_history(&exact))
     }
 }
@@ -304,11 +304,11 @@ impl<'a> Scene<'a> {
         let is_whole = was_whole(rect, history, position, around.depth * (1.0 + moved.depth_ratio))?;
         let gamma = self.tuning.taa_gamma / if self.shown.divides { 1.0 } else { SHOWN_BOX };
         let gamma = if is_whole { gamma } else { gamma.min(WIDEST_BESIDE) };
-        let (colour, weight) = history_at(self.shown, rect, history, position, around.light);
+        let before = history_at(rect, history, position, around.light);
         let moving = 1.0 / self.tuning.taa_alpha - 1.0;
         let still = (-STILL_SHARPNESS * motion.length_squared()).exp();
         let limit = moving * (1.0 + (STILL_PAST - 1.0) * still);
-        Some((clipped(self.shown, gamma, around, colour), weight.min(limit)))
+        Some((clipped(self.shown, gamma, around, &before), before.weight.min(limit)))
     }
 }
 
@@ -345,27 +345,37 @@ fn sample(frame: &FrameConstants, shown: Shown, inputs: &UpscaleInputs, p: IVec2
     Sample { radiance: in_range(radiance, shown.brightest), irradiance, surface }
 }
 
+/// What the past had at a position.
+#[derive(Clone, Copy, Debug)]
+struct Before {
+    colour: Vec3,
+    /// Mean of the texels around.
+    around: Vec3,
+    weight: f32,
+}
+
 /// The history in this light at a position in pixels: colour by Catmull and Rom, sharper than bilinear; weight bilinear.
-fn history_at(shown: Shown, rect: RenderRect, history: &Image<Kept>, s: Vec2, light: Vec3) -> (Vec3, f32) {
+fn history_at(rect: RenderRect, history: &Image<Kept>, s: Vec2, light: Vec3) -> Before {
     let corner = (s - 0.5).floor();
     let f = s - 0.5 - corner;
     let (x, y) = (catmull_rom_weights(f.x), catmull_rom_weights(f.y));
     let linear = |t: f32| [0.0, 1.0 - t, t, 0.0];
     let (linear_x, linear_y) = (linear(f.x), linear(f.y));
-    let (mut sum, mut least, mut most, mut weight) = (Vec4::ZERO, Vec4::MAX, Vec4::ZERO, 0.0);
+    let (mut sum, mut least, mut most, mut weight) = (Vec3::ZERO, Vec3::MAX, Vec3::ZERO, 0.0);
+    let (mut mean, mut total) = (Vec3::ZERO, 0.0);
     for j in 0..4 {
         for i in 0..4 {
             let q = rect.clamp(corner.as_ivec2() + IVec2::new(i as i32 - 1, j as i32 - 1));
             let kept = history.at(q);
-            let colour = kept.ratio * light;
-            let even = colour.extend(1.0) * shown.evenness(colour);
-            sum += x[i] * y[j] * even;
-            (least, most) = (least.min(even), most.max(even));
+            sum += x[i] * y[j] * kept.even;
+            (least, most) = (least.min(kept.even), most.max(kept.even));
+            let near = (-BOX_SHARPNESS * (Vec2::new(i as f32 - 1.0, j as f32 - 1.0) - f).length_squared()).exp();
+            mean += near * kept.even;
+            total += near;
             weight += linear_x[i] * linear_y[j] * kept.weight;
         }
     }
-    let sum = sum.clamp(least, most);
-    (sum.truncate() / sum.w, weight)
+    Before { colour: ratio_of(sum.clamp(least, most)) * light, around: ratio_of(mean / total), weight }
 }
 
 fn catmull_rom_weights(t: f32) -> [f32; 4] {
@@ -380,15 +390,28 @@ fn from_ycocg(c: Vec3) -> Vec3 {
     Vec3::new(c.x + c.y - c.z, c.x + c.z, c.x - c.y - c.z)
 }
 
+/// Differences of means that are noise or edges: in deviations, and as a share of the mean.
+const SAME_DEVIATION: f32 = 0.5;
+const SAME_SHARE: f32 = 0.1;
+
+/// What the light around changed by, where nothing was divided by it: from none of it to all, at twice the difference that is none.
+fn change_of_light(shown: Shown, around: &Neighbourhood, before: Vec3) -> Vec3 {
+    let offset = to_ycocg(before * shown.evenness(before)) - around.mean;
+    let same = (SAME_DEVIATION * around.deviation).max(Vec3::splat((SAME_SHARE * around.mean.x).max(1e-6)));
+    offset * ((offset.abs() / same).max_element() - 1.0).clamp(0.0, 1.0)
+}
+
 /// The history moved towards the mean of the neighbourhood until it is within `gamma` deviations, in YCoCg of compressed colours.
-fn clipped(shown: Shown, gamma: f32, around: &Neighbourhood, history: Vec3) -> Vec3 {
-    let distance = to_ycocg(history * shown.evenness(history)) - around.mean;
+fn clipped(shown: Shown, gamma: f32, around: &Neighbourhood, before: &Before) -> Vec3 {
+    let history = before.colour;
+    let change = if shown.divides { Vec3::ZERO } else { change_of_light(shown, around, before.around) };
+    let distance = to_ycocg(history * shown.evenness(history)) - around.mean - change;
     let smallest = (SMALLEST_BOX * around.mean.x).max(1e-6);
     let excess = (distance.abs() / (gamma * around.deviation).max(Vec3::splat(smallest))).max_element();
-    if excess <= 1.0 {
+    if excess <= 1.0 && change == Vec3::ZERO {
         return history;
     }
-    let compressed = from_ycocg(around.mean + distance / excess).max(Vec3::ZERO);
+    let compressed = from_ycocg(around.mean + distance / excess.max(1.0)).max(Vec3::ZERO);
     compressed / (1.0 - shown.steepness * luminance(compressed.to_array())).max(1e-4)
 }
 

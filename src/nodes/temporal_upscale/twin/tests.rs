@@ -40,7 +40,7 @@ fn flat(extent: [u32; 2]) -> Guides {
 }
 
 fn are_finite(history: &Image<Kept>) -> bool {
-    history.texels().iter().all(|kept| kept.ratio.is_finite() && kept.weight.is_finite())
+    history.texels().iter().all(|kept| kept.even.is_finite() && kept.weight.is_finite())
 }
 
 fn largest_difference(a: &Image<[f32; 4]>, b: &Image<[f32; 4]>) -> f32 {
@@ -57,7 +57,7 @@ fn history_of(
     let Upscaled { history, picture, .. } = run(&reset(*frame), guides, radiance, None);
     paint(history.extent(), |x, y| {
         let (kept, now) = (history.at(IVec2::new(x, y)), rgb(&picture, IVec2::new(x, y)));
-        Kept { ratio: kept.ratio / now * colour(x, y), weight: 100.0, ..kept }
+        Kept::new(ratio_of(kept.even) / now * colour(x, y), 100.0, kept.depth)
     })
 }
 
@@ -146,7 +146,7 @@ fn light_that_changes_causes_no_lag() {
 #[test]
 fn history_is_clipped_to_the_neighbourhood() {
     let dark = Image::new(EXTENT, [0.1, 0.2, 0.1, 1.0].map(round_to_half));
-    let ghost = Image::new(EXTENT, Kept { ratio: Vec3::new(9.0, 0.1, 9.0), weight: 9.0, depth: 4.0 });
+    let ghost = Image::new(EXTENT, Kept::new(Vec3::new(9.0, 0.1, 9.0), 9.0, 4.0));
     let picture = run(&frame(EXTENT), &flat(EXTENT), &dark, Some(&ghost)).picture;
     assert!(largest_difference(&picture, &dark) < 2e-3, "{:?}", picture.texels()[0]);
     let checks = paint(EXTENT, |x, y| [if (x + y) % 2 == 0 { 0.1 } else { 0.3 }; 4]);
@@ -165,7 +165,7 @@ fn a_grey_neighbourhood_keeps_a_history_that_rounding_tinted() {
     let frame = frame(EXTENT);
     let at = |red: f32| {
         let history = history_of(&frame, &flat(EXTENT), &grey, |_, _| 0.55)
-            .map(|kept| Kept { ratio: kept.ratio * Vec3::new(red, 1.0, 1.0), ..*kept });
+            .map(|kept| Kept::new(ratio_of(kept.even) * Vec3::new(red, 1.0, 1.0), kept.weight, kept.depth));
         tuned(&frame, &long_past(), &flat(EXTENT), &grey, Some(&history)).picture.at(IVec2::new(5, 5))[1]
     };
     let grey = at(1.0);
@@ -191,7 +191,7 @@ fn history_follows_the_nearest_surface() {
     let picture = tuned(&frame, &tuning, &scene, &checks, Some(&columns)).picture;
     for (x, column) in [(4, 2.0), (6, 4.0), (7, 7.0), (9, 9.0)] {
         let p = IVec2::new(x, 5);
-        let around = (light.picture.at(p)[0]) / light.history.at(p).ratio.x;
+        let around = (light.picture.at(p)[0]) / ratio_of(light.history.at(p).even).x;
         let (value, expected) = (picture.at(p)[0], 0.05 * column / 0.36 * around);
         assert!((value - expected).abs() < 0.03, "{x}: {value} for {expected}");
     }
@@ -203,7 +203,7 @@ fn a_surface_that_was_not_there_has_no_past() {
     let image = noise(EXTENT, 3);
     let run_after = |before: &dyn Fn(i32, i32) -> f32| {
         let (guide, motion) = (&flat(EXTENT).guide, Motion::Stored(&flat(EXTENT).surface_motion));
-        let history = paint(OUTPUT, |x, y| Kept { ratio: Vec3::ONE, weight: 2.0, depth: before(x, y) });
+        let history = paint(OUTPUT, |x, y| Kept::new(Vec3::ONE, 2.0, before(x, y)));
         let previous = Some(&history);
         let inputs = UpscaleInputs { radiance: &[&image], albedo: None, tone_mapped: false, guide, motion, previous };
         temporal_upscale(&frame, &svgf_tuning(), OUTPUT, Outgoing::Halves, &inputs)
@@ -225,7 +225,7 @@ fn what_was_just_uncovered_keeps_little_of_the_colour_beside_it() {
     let (guide, motion) = (&flat(EXTENT).guide, Motion::Stored(&flat(EXTENT).surface_motion));
     // The history has the depth of the nearest surface around, so the outline belongs to the near thing.
     let covered = |x: i32| if x < 14 { 2.0 } else { 4.0 };
-    let history = paint(OUTPUT, |x, _| Kept { ratio: Vec3::splat(50.0), weight: 2.0, depth: covered(x) });
+    let history = paint(OUTPUT, |x, _| Kept::new(Vec3::splat(50.0), 2.0, covered(x)));
     let previous = Some(&history);
     let inputs = UpscaleInputs { radiance: &[&image], albedo: None, tone_mapped: false, guide, motion, previous };
     let after = temporal_upscale(&frame, &svgf_tuning(), OUTPUT, Outgoing::Halves, &inputs).picture;
@@ -238,7 +238,7 @@ fn what_was_just_uncovered_keeps_little_of_the_colour_beside_it() {
 fn off_screen_and_reset_take_the_current_colour() {
     for output in [EXTENT, OUTPUT] {
         let image = noise(EXTENT, 3);
-        let poison = Image::new(output, Kept { ratio: Vec3::NAN, weight: f32::NAN, depth: 4.0 });
+        let poison = Image::new(output, Kept { even: Vec3::NAN, weight: f32::NAN, depth: 4.0 });
         let frame = frame_to(EXTENT, output);
         let first = run(&frame, &flat(EXTENT), &image, None);
         assert!(all_finite(&first.picture) && are_finite(&first.history));
@@ -270,7 +270,7 @@ fn absurd_light_stays_finite() {
 fn neither_parity_nor_the_allocation_changes_a_bit() {
     let large = [29, 23];
     let image = noise(EXTENT, 4);
-    let history = noise(EXTENT, 5).map(|t| Kept { ratio: Vec3::new(t[0], t[1], t[2]), weight: 2.0, depth: 4.0 });
+    let history = noise(EXTENT, 5).map(|t| Kept::new(Vec3::new(t[0], t[1], t[2]), 2.0, 4.0));
     let mut tight = flat(EXTENT);
     tight.surface_motion = Image::new(EXTENT, pack_surface_motion([0.75, -3.5], None));
     let loose = Guides {
@@ -288,7 +288,7 @@ fn neither_parity_nor_the_allocation_changes_a_bit() {
         ..frame(large)
     };
     let image = embed(&image, large, [f32::NAN; 4]);
-    let history = embed(&history, large, Kept { ratio: Vec3::NAN, weight: f32::NAN, depth: 4.0 });
+    let history = embed(&history, large, Kept { even: Vec3::NAN, weight: f32::NAN, depth: 4.0 });
     assert_eq!(run(&in_large, &loose, &image, Some(&history)), expected);
 }
 
@@ -446,7 +446,7 @@ fn a_dark_thing_beside_a_lamp_keeps_its_light() {
     // The past lies between pixels, where the weights of Catmull and Rom are negative.
     scene.surface_motion = Image::new(EXTENT, pack_surface_motion([0.5, 0.0], Some((0.0, [0.0, 0.0, 1.0]))));
     let radiance = paint(EXTENT, |x, _| [lamp(x); 4]);
-    let history = paint(EXTENT, |x, _| Kept { ratio: Vec3::splat(lamp(x)), weight: 100.0, depth: 4.0 });
+    let history = paint(EXTENT, |x, _| Kept::new(Vec3::splat(lamp(x)), 100.0, 4.0));
     let (guide, motion) = (&scene.guide, Motion::Stored(&scene.surface_motion));
     let previous = Some(&history);
     let inputs = UpscaleInputs { radiance: &[&radiance], albedo: None, tone_mapped: true, guide, motion, previous };
