@@ -317,7 +317,8 @@ void main() {
         Past before = past_at(position, around.light, around.depth * (1.0 + m.depth_ratio));
         if (inside && before.visibility != HIDDEN) {
             vec3 history = clip_to_box(before, around);
-            past = min(before.weight, past_limit(moved));
+            vec2 wider = extent_ratio(frame.output_extent, frame.previous_output_extent);
+            past = min(before.weight * wider.x * wider.y, past_limit(moved));
             float known = min(past, 1.0), even = evenness(history), now = around.weight + LEAST_WEIGHT;
             vec3 new_colour = mix(around.first, around.later, known) * now;
             float new_evenness = mix(around.first_evenness, around.later_evenness, known) * now;

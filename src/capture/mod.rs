@@ -27,7 +27,8 @@
 //! history. To compare with the engine from the first frame on, call `invalidate` before the first
 //! captured frame.
 //!
-//! The render extent and the set of images must hold for the whole capture; tunables and `instance_transforms` may change.
+//! The render extent, that of the output and the set of images must hold for the whole capture; tunables and
+//! `instance_transforms` may change.
 
 mod channels;
 mod exr_file;

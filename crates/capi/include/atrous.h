@@ -762,6 +762,9 @@ typedef struct AtrousFrameParams {
   float lights[16];
   // With AtrousConfig.light_extent, the rendered pixel of each cell that light was traced for: 0, or 1 along a halved axis.
   uint32_t light_offset[2];
+  // Width and height of the picture that you show, anchored top left: at most AtrousConfig.output_extent, and 1 to 3 times what is
+  // rendered. They may differ from frame to frame. 0, 0: all of it.
+  uint32_t output_extent[2];
 } AtrousFrameParams;
 
 // A buffer for a name.

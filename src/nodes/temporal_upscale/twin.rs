@@ -305,10 +305,11 @@ impl<'a> Scene<'a> {
         let gamma = self.tuning.taa_gamma / if self.shown.divides { 1.0 } else { SHOWN_BOX };
         let gamma = if is_whole { gamma } else { gamma.min(WIDEST_BESIDE) };
         let before = history_at(rect, history, position, around.light);
+        let wider = quotient(frame.previous_output_extent, frame.output_extent);
         let moving = 1.0 / self.tuning.taa_alpha - 1.0;
         let still = (-STILL_SHARPNESS * motion.length_squared()).exp();
         let limit = moving * (1.0 + (STILL_PAST - 1.0) * still);
-        Some((clipped(self.shown, gamma, around, &before), before.weight.min(limit)))
+        Some((clipped(self.shown, gamma, around, &before), (before.weight * wider.x * wider.y).min(limit)))
     }
 }
 
