@@ -128,7 +128,12 @@ pub(crate) fn import(frame: &FrameConstants, inputs: &ImportInputs) -> ImportOut
 }
 
 /// The surface of a pixel of the guides, with whether its normal and its roughness were bad.
-pub(crate) fn surface_of(frame: &FrameConstants, inputs: &ImportInputs, projections: &Projections, p: IVec2) -> (Surface, bool, bool) {
+pub(crate) fn surface_of(
+    frame: &FrameConstants,
+    inputs: &ImportInputs,
+    projections: &Projections,
+    p: IVec2,
+) -> (Surface, bool, bool) {
     let id = inputs.id(p);
     let (linear_depth, _) = projections.linear_depth(p.into(), inputs.depth.at(p)[0], frame.background_depth);
     if linear_depth == 0.0 || id == Some(0) {

@@ -292,7 +292,8 @@ fn a_pixel_of_light_has_the_guides_of_the_pixel_that_it_was_traced_for() {
     for (light, offset) in [([12, 8], [0, 1]), ([12, 16], [1, 0]), ([24, 16], [0, 0])] {
         let frame = of_light(light, offset);
         let depth = paint([24, 16], |x, y| [4.0 + 0.5 * x as f32 + 0.25 * y as f32; 4]);
-        let (normal, motion) = (Image::new([24, 16], [0.0, 0.0, 1.0, 0.0]), Image::new([24, 16], [3.0 / 24.0, -5.0 / 16.0, 0.0, 0.0]));
+        let (normal, motion) =
+            (Image::new([24, 16], [0.0, 0.0, 1.0, 0.0]), Image::new([24, 16], [3.0 / 24.0, -5.0 / 16.0, 0.0, 0.0]));
         let imported = import(&frame, &ImportInputs { motion: Some(&motion), ..ImportInputs::new(&depth, &normal) });
         assert_eq!(imported.guide.extent(), light);
         let ratio = [24 / light[0], 16 / light[1]].map(|side| side as f32);
