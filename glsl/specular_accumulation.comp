@@ -1,7 +1,8 @@
 #version 450
 // Blends what is seen in glossy surfaces with its own past, looked up where the surface was and where the image behind it was.
 // Source: virtual motion of reflections [Zimmer et al. 2015]; two reprojections of which the better one counts [Stachowiak 2015]; the blend is
-// that of [SVGF] 4.1. How much each past is worth is ours: as many frames as it takes until its error in pixels passes the width of the lobe.
+// that of [SVGF] 4.1. How much each past is worth is ours: as many frames as it takes until its error in pixels passes the width of the lobe, or
+// its error in light the noise of a sample. Without hit distances the image is sought where that of a thing at infinity was.
 // In:  guide (current, previous), surface_motion, depth_gradient; noisy: specular irradiance, hit distance; roughness of the host; history and
 //      moments of the previous frame, and its reflection; history_confidence as in temporal_accumulation.comp; by which instances the mirror
 //      and the thing in it move: specular_hit_id, surface_id, instance_transforms; or the thing by the host: specular_motion, scene units.
@@ -103,6 +104,24 @@ const float ROUNDED = 1e-3;
 const int AGREEMENT_REACH = 2;
 const int AGREEMENT_SIDE = 2 * AGREEMENT_REACH + 1;
 const float FEWEST_AGREEING = 9.0;
+// Of the light of a past: logarithms of less are next to equal.
+const float DARK = 0.02;
+// Of the pixels around the 3x3 nearest ones, beside those.
+const float RING_WEIGHT = 0.25;
+// By how much the mean of a logarithm to base 2 may lie below the logarithm of a mean, of the variance: four times that of a log-normal
+// distribution, since rare light is skewed more.
+const float LOG_BIAS = 1.386;
+// Smallest variances of logarithms to base 2: of a mean of pixels, and of a sample.
+const float LOG_ROUNDED = 1e-3;
+const float LOG_NOISE = 1e-2;
+// Pixels that rare light should have hit by the past, of those compared: up to the first, that it hit none is chance, from the second on it is a change.
+const float FEW_HITS = 2.0;
+const float ENOUGH_HITS = 4.0;
+// Three in a row that tell how white noise is.
+const float FEWEST_ROWS = 6.0;
+
+// Depths to a thing whose hit distance nobody knows: what is far away, or in a curved mirror, is seen next to where this is.
+const float UNKNOWN_REACH = 1e4;
 
 // What the past holds at one position.
 struct Past {
@@ -210,29 +229,76 @@ float worth(float frames, float error, float tolerance) { return min(frames, tol
 
 float change_at(ivec2 p) { return is_present(HISTORY_CONFIDENCE) ? 1.0 - texelFetch(history_confidence, p, 0).x : 0.0; }
 
-// How far the light of now is that of the past around a position, 1 to 0: by the mean difference over 5x5 pixels in standard errors, of the channel
-// that differs most. What a surface mirrors may move or turn while the surface does neither.
-float agreement(Centre c, vec2 position, History light, float agrees) {
+// Logarithms of light of now beside those of the past, over pixels.
+struct LogDifference {
+    float sum;
+    vec2 weights;     // and their squares
+    vec2 before;      // of now, of the two pixels to the left
+    int row;          // of how many pixels to the left
+    float bends;      // squared second differences of now
+    float triples;
+};
+
+void add_pair(inout LogDifference logs, float now, float past, float weight) {
+    logs.sum += weight * (now - past);
+    logs.weights += vec2(weight, weight * weight);
+    if (logs.row >= 2) {
+        float bend = now - 2.0 * logs.before.y + logs.before.x;
+        logs.bends += bend * bend;
+        logs.triples += 1.0;
+    }
+    logs.before = vec2(logs.before.y, now);
+    logs.row += 1;
+}
+
+// Frames until the error of a past is as large as the noise of a sample, both as ratios of light. Rare light has noise without bounds by this
+// measure, and a highlight, which is smooth as a ratio, next to none. `hits`: the share of samples that brought the light of the past.
+float frames_by_logs(LogDifference logs, float hits) {
+    if (logs.triples < FEWEST_ROWS) return 65504.0;
+    float noise = logs.bends / (6.0 * logs.triples), difference = logs.sum / logs.weights.x;
+    float pixels = logs.weights.x * logs.weights.x / logs.weights.y;
+    float missed = clamp((hits * pixels - FEW_HITS) / (ENOUGH_HITS - FEW_HITS), 0.0, 1.0);
+    float outside = max(max(difference, -(difference + LOG_BIAS * noise) * missed), 0.0);
+    float error = max(outside - sqrt(noise / pixels + LOG_ROUNDED), 0.0);
+    return (noise + LOG_NOISE) / max(error * error, 1e-9);
+}
+
+// Frames that a past is worth by the light of now around a position: by the mean difference over 5x5 pixels in standard errors, of the channel
+// that differs most; where nobody knows the place of what is seen (`by_logs`), by logarithms as well. What a surface mirrors may move or turn
+// while the surface does neither.
+float frames_by_light(Centre c, vec2 position, Past past, float agrees, bool by_logs) {
+    History light = in_light(past.light, c.origin, vec3(1.0), frame.exposure_ratio);
     ivec2 shift = ivec2(floor(position + 0.5)) - c.mirror.p;
     vec3 sum = vec3(0.0), squares = vec3(0.0);
-    float count = 0.0;
+    float count = 0.0, dark = DARK * luminance(light.irradiance) + 1e-6;
+    LogDifference logs = LogDifference(0.0, vec2(0.0), vec2(0.0), 0, 0.0, 0.0);
     [[dont_unroll]] for (int i = 0; i < AGREEMENT_SIDE * AGREEMENT_SIDE; ++i) {
-        ivec2 q = c.mirror.p + ivec2(i % AGREEMENT_SIDE, i / AGREEMENT_SIDE) - AGREEMENT_REACH, before = q + shift;
-        if (!is_inside(q) || !is_inside_previous(before)) continue;
-        vec4 value = texelFetch(noisy, q, 0);
-        GuideBits packed = GuideBits(packed_at(guide, q));
-        if (value.a < 0.0 || guide_depth(packed) == 0.0 || guide_id(packed) != guide_id(c.mirror.packed)) continue;
-        vec3 difference = value.rgb - half_range(texelFetch(history, before, 0).rgb * frame.exposure_ratio);
+        ivec2 offset = ivec2(i % AGREEMENT_SIDE, i / AGREEMENT_SIDE) - AGREEMENT_REACH, q = c.mirror.p + offset, before = q + shift;
+        if (offset.x == -AGREEMENT_REACH) logs.row = 0;
+        bool exists = is_inside(q) && is_inside_previous(before);
+        vec4 value = texelFetch(noisy, nearest_inside(q), 0);
+        GuideBits packed = GuideBits(packed_at(guide, nearest_inside(q)));
+        if (!exists || value.a < 0.0 || guide_depth(packed) == 0.0 || guide_id(packed) != guide_id(c.mirror.packed)) {
+            logs.row = 0;
+            continue;
+        }
+        vec3 then = half_range(texelFetch(history, before, 0).rgb * frame.exposure_ratio), difference = value.rgb - then;
         sum += difference;
         squares += difference * difference;
         count += 1.0;
+        if (!by_logs) continue;
+        float weight = max(abs(offset.x), abs(offset.y)) < AGREEMENT_REACH ? 1.0 : RING_WEIGHT;
+        add_pair(logs, log2(luminance(value.rgb) + dark), log2(luminance(then) + dark), weight);
     }
-    if (count < FEWEST_AGREEING) return 1.0;
+    if (count < FEWEST_AGREEING) return past.frames;
     vec3 mean = sum / count, rounded = ROUNDED * light.irradiance;
     // Samples that a rare light missed all look alike: the past knows how much they differ.
     vec3 variance = max(squares / count - mean * mean, vec3(light.second_moment));
     vec3 errors = abs(mean) * inversesqrt(variance / count + rounded * rounded + 1e-20);
-    return clamp(2.0 - max(max(errors.x, errors.y), errors.z) / agrees, 0.0, 1.0);
+    float agreement = clamp(2.0 - max(max(errors.x, errors.y), errors.z) / agrees, 0.0, 1.0);
+    if (!by_logs) return past.frames * agreement;
+    float squared = light.mean * light.mean;
+    return min(past.frames * agreement, frames_by_logs(logs, squared / max(squared + light.second_moment, 1e-20)));
 }
 
 Past mixed(Past a, Past b, float share) {
@@ -257,32 +323,49 @@ float steadiness_of(Centre c, float radius, vec2 image_position) {
 Past best_past(Centre c, float roughness, inout float hit_distance, out float image_share, out float steadiness) {
     Past surface = past_at(c, c.mirror.surface_position);
     float radius = lobe_radius(c.depth, Reflection(hit_distance, roughness));
-    if (surface.found && surface.nearness > 0.0 && hit_distance > 0.0) {
+    bool is_known = hit_distance > 0.0;
+    if (surface.found && surface.nearness > 0.0 && is_known) {
         // A lobe that covers pixels is blurred anyway, and its hits are noisy.
         float share = radius * radius / (1.0 + radius * radius) * surface.frames / (1.0 + surface.frames);
         hit_distance = hit_distance_of(c.depth, mix(nearness_of(c.depth, hit_distance), surface.nearness, share));
     }
+    Reflection seen = Reflection(hit_distance, roughness);
+    // What nobody knows is tried as a mirror, and the light of now tells.
+    if (!is_known) seen = Reflection(UNKNOWN_REACH * c.depth, is_present(ROUGHNESS) ? roughness : 0.0);
     Curvature curvature = curvature_at(c.mirror);
-    float share = mirror_share(roughness);
-    float tolerance = 0.5 + 0.5 * lobe_radius(c.depth, Reflection(mirror_image_distance(hit_distance, curvature.mean), roughness));
+    float share = mirror_share(seen.roughness);
+    float tolerance = 0.5 + 0.5 * lobe_radius(c.depth, Reflection(mirror_image_distance(seen.hit_distance, curvature.mean), seen.roughness));
     vec2 position = c.mirror.surface_position;
     Past image = nothing();
     BadMotion bad;
     Scenery before = scenery_before(c.mirror, curvature, Reflection(hit_distance, roughness), bad);
     if (bad.transform) count_bad(BAD_HIT_ID);
     if (bad.motion) count_bad(BAD_SPECULAR_MOTION);
-    bool found = hit_distance > 0.0 && virtual_position(c.mirror, curvature, before.mirror, before.image, roughness, position);
-    steadiness = found ? share * steadiness_of(c, radius, position) : 0.0;
-    if (found && is_in_lobe(position, before.thing, roughness)) image = past_at(c, position);
-    if (found) surface.frames = worth(surface.frames, distance(position, c.mirror.surface_position), tolerance);
-    if (image.found) {
+    if (!is_known) {
+        // What lies at infinity is where it was, whatever the mirror did.
+        before.mirror.position = previous_surface(c.mirror.surface_position, c.expected.depth);
+        before.image = image_at_rest(seen.hit_distance);
+    }
+    bool found = virtual_position(c.mirror, curvature, before.mirror, before.image, seen.roughness, position);
+    float moved = distance(position, c.mirror.surface_position);
+    if (is_known) {
+        steadiness = found ? share * steadiness_of(c, radius, position) : 0.0;
+        if (found && is_in_lobe(position, before.thing, seen.roughness)) image = past_at(c, position);
+        if (found) surface.frames = worth(surface.frames, moved, tolerance);
+    } else {
+        steadiness = 0.0;
+        if (found && moved > STILL) image = past_at(c, position);
+        if (surface.found) surface.frames = frames_by_light(c, c.mirror.surface_position, surface, AGREES_WIDEST, true);
+        if (image.found) image.frames = frames_by_light(c, position, image, AGREES_WIDEST, true);
+    }
+    if (image.found && is_known) {
         vec2 remembered = position;
         vec3 image_there = vec3(before.image.xy, hit_distance_of(c.depth, image.nearness));
-        bool known = virtual_position(c.mirror, curvature, before.mirror, image_there, roughness, remembered);
+        bool known = virtual_position(c.mirror, curvature, before.mirror, image_there, seen.roughness, remembered);
         image.frames = worth(image.frames, known ? distance(position, remembered) : 0.0, tolerance);
         // Another thing is seen there now, or another finish of the surface. Of a thing that was followed, lobes and outlines change the distance.
-        float change = abs(roughness - image.roughness) * 8.0;
-        if (!before.followed) change += abs(nearness_of(c.depth, before.image.z) - image.nearness) * share / (0.05 + lobe_width(roughness));
+        float change = abs(seen.roughness - image.roughness) * 8.0;
+        if (!before.followed) change += abs(nearness_of(c.depth, before.image.z) - image.nearness) * share / (0.05 + lobe_width(seen.roughness));
         image.frames = worth(image.frames, change, 2.0);
     }
     float a = surface.frames * surface.frames, b = image.frames * image.frames;
@@ -296,8 +379,8 @@ Past best_past(Centre c, float roughness, inout float hit_distance, out float im
         else surface.light.irradiance = sharp;
     }
     Past past = !surface.found ? image : !image.found ? surface : mixed(surface, image, image_share);
+    if (is_known && past.found) past.frames = frames_by_light(c, chosen, past, share > 0.0 ? AGREES : AGREES_WIDEST, false);
     past.light = in_light(past.light, c.origin, vec3(1.0), frame.exposure_ratio);
-    if (past.found) past.frames *= agreement(c, chosen, past.light, share > 0.0 ? AGREES : AGREES_WIDEST);
     return past;
 }
 

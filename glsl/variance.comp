@@ -124,17 +124,51 @@ void weigh(ivec2 p, GuideBits packed, out float weights[PIXELS]) {
 // Where neighbours repeat each other they differ by less than their noise.
 const float FILLED_NOISE = 2.0;
 
-// Shares of a spread that bends as noise does: up to the first it is an edge or a texture that no guide knows, from the second on it is noise.
+// Shares of a spread of logarithms that bends as noise does: up to the first it is an edge, a texture or a highlight that no guide knows, from
+// the second on it is noise.
 const float STRUCTURE = 0.4;
 const float WHITE_NOISE = 0.8;
+// Of the mean: logarithms of less are next to equal.
+const float DARK = 0.1;
+// Variances of logarithms to base 2 that do not bend: from the first to the second, a picture counts as one. It spans a factor of 1.6, and 2.7.
+const float FAINT_PICTURE = 0.5;
+const float CLEAR_PICTURE = 2.0;
 
 // Estimates from 5x5 pixels of how the luminance of one of them varies.
 struct Surroundings {
-    float within;  // variance of the samples that a mean was made of
-    float noise;   // variance of the means, without what is smooth
+    float within;  // variance of the samples that a mean was made of; less where a clear picture is
+    float noise;   // variance of the means, without what is smooth, and less likewise
     float seen;    // of that noise, without edges and textures
     float doubt;   // relative standard error of a variance that was seen in so few pixels
 };
+
+// How far neighbours differ as noise does and not as a picture, 0 to 1: in all, and where the picture is a clear one alone. Told by logarithms, in
+// which a highlight is as smooth as its foot, and rare light is not.
+struct Whiteness {
+    float whole;
+    float of_pictures;
+};
+
+Whiteness whiteness_of(float logs[PIXELS], float weights[PIXELS], float sum) {
+    float mean = 0.0, spread = 0.0, curvature = 0.0, triples = 0.0;
+    [[unroll]] for (int i = 0; i < PIXELS; ++i) mean += weights[i] * logs[i];
+    mean /= sum;
+    [[unroll]] for (int i = 0; i < PIXELS; ++i) {
+        spread += weights[i] * (logs[i] - mean) * (logs[i] - mean);
+        [[unroll]] for (int step = 1; step <= SIDE; step += SIDE - 1) {
+            int place = step == 1 ? i % SIDE : i / SIDE;
+            if (place == 0 || place == SIDE - 1) continue;
+            float weight = weights[i - step] * weights[i] * weights[i + step];
+            float bend = logs[i - step] - 2.0 * logs[i] + logs[i + step];
+            curvature += weight * bend * bend;
+            triples += weight;
+        }
+    }
+    spread /= sum;
+    if (triples <= 0.5) return Whiteness(1.0, 1.0);
+    float noise = curvature / (6.0 * triples), white = smoothstep(STRUCTURE, WHITE_NOISE, noise / max(spread, 1e-20));
+    return Whiteness(white, mix(1.0, white, smoothstep(FAINT_PICTURE, CLEAR_PICTURE, spread - noise)));
+}
 
 Surroundings surroundings_of(vec2 luminances[PIXELS], float weights[PIXELS]) {
     float sum = 0.0, mean = 0.0, within = 0.0;
@@ -160,11 +194,14 @@ Surroundings surroundings_of(vec2 luminances[PIXELS], float weights[PIXELS]) {
         }
     }
     spread /= sum;
-    float kurtosis = fourth / max(sum * spread * spread, 1e-36);
+    float doubt = sqrt(max(fourth / max(sum * spread * spread, 1e-36) - 1.0, 0.0) / sum);
+    if (FILLED) return Surroundings(within / sum, FILLED_NOISE * spread, FILLED_NOISE * spread, doubt);
     // White noise bends by six times its variance.
-    float noise = FILLED ? FILLED_NOISE * spread : triples > 0.5 ? min(spread, curvature / (6.0 * triples)) : spread;
-    float seen = noise * smoothstep(STRUCTURE, WHITE_NOISE, noise / max(spread, 1e-36));
-    return Surroundings(within / sum, noise, seen, sqrt(max(kurtosis - 1.0, 0.0) / sum));
+    float noise = triples > 0.5 ? min(spread, curvature / (6.0 * triples)) : spread;
+    float logs[PIXELS];
+    [[unroll]] for (int i = 0; i < PIXELS; ++i) logs[i] = log2(max(luminances[i].x, 0.0) + max(DARK * mean, 0.0) + 1e-12);
+    Whiteness white = whiteness_of(logs, weights, sum);
+    return Surroundings(within / sum * white.of_pictures, noise * white.of_pictures, noise * white.whole, doubt);
 }
 
 // How much wider a variance is that is in doubt.

@@ -23,10 +23,7 @@ struct Receiver {
 
 // `position`: of the surface in the previous frame, pixels; centres are whole numbers.
 Receiver receiver_at(ivec2 p, float linear_depth, SurfaceMotion m, vec2 position) {
-    vec2 pixel = position + 0.5 + frame.jitter * extent_ratio(frame.render_extent, frame.previous_render_extent) - frame.previous_jitter;
-    float depth = linear_depth * (1.0 + m.depth_ratio), w = frame.previous_clip_w_scale * depth + frame.previous_clip_w_offset;
-    vec4 before = frame.world_from_previous_sample * vec4(pixel * w, depth, 1.0);
-    return Receiver(world_position(p, linear_depth), before.xyz, m.previous_normal);
+    return Receiver(world_position(p, linear_depth), previous_surface(position, linear_depth * (1.0 + m.depth_ratio)), m.previous_normal);
 }
 
 // What the shadow ray of a pixel met, carried to the previous frame by the host's motion, else by its instance. False: it stood still.

@@ -36,4 +36,12 @@ bool previous_pixel_position(vec3 world, out vec2 position) {
     return clip.w > 0.0 && all(lessThan(abs(position), vec2(1e6)));
 }
 
+// Where a surface was in the world, by its place on the screen of the previous frame: pixels; centres are whole numbers.
+vec3 previous_surface(vec2 position, float previous_depth) {
+    vec2 extent = vec2(frame.previous_render_extent);
+    vec2 pixel = position + 0.5 + frame.jitter * (extent / vec2(frame.render_extent)) - frame.previous_jitter;
+    float w = frame.previous_clip_w_scale * previous_depth + frame.previous_clip_w_offset;
+    return (frame.world_from_previous_sample * vec4(pixel * w, previous_depth, 1.0)).xyz;
+}
+
 #endif

@@ -49,6 +49,15 @@ pub(crate) fn pixel_size(frame: &FrameConstants, linear_depth: f32) -> Vec2 {
     (2.0 * w / (extent(frame.render_extent) * across)).abs().clamp(Vec2::splat(1e-15), Vec2::splat(1e15))
 }
 
+/// Where a surface was in the world, by its place on the screen of the previous frame: pixels; centres are whole numbers.
+pub(crate) fn previous_surface(frame: &FrameConstants, position: Vec2, previous_depth: f32) -> Vec3 {
+    // Samples of both frames lie beside their pixels' centres.
+    let sample = position + 0.5 + sample_offset(frame) * extent_ratio(frame) - previous_sample_offset(frame);
+    let w = frame.previous_clip_w_scale * previous_depth + frame.previous_clip_w_offset;
+    let place = Vec4::new(sample.x * w, sample.y * w, previous_depth, 1.0);
+    (Mat4::from_cols_array_2d(&frame.world_from_previous_sample) * place).xyz()
+}
+
 /// The line of sight of a pixel in view space: `origin + direction·z` is its point at linear depth z.
 #[derive(Clone, Copy, Debug)]
 struct ViewRay {

@@ -2,12 +2,12 @@
 //! were, met the plane of the surface.
 
 use super::guide::Surface;
-use super::projection::{extent_ratio, previous_sample_offset, sample_offset, Projections};
+use super::projection::{extent_ratio, previous_surface, sample_offset, Projections};
 use super::reprojection::{about_eye, carried, InstanceTransform};
 use super::surface_motion::SurfaceMotion;
 use super::Image;
 use crate::FrameConstants;
-use glam::{IVec2, Mat4, Vec2, Vec3, Vec4, Vec4Swizzles};
+use glam::{IVec2, Vec2, Vec3, Vec4, Vec4Swizzles};
 
 /// Of a ray to a plane, cosine: where it is smaller, a shadow has no place.
 const GRAZING: f32 = 1e-3;
@@ -53,15 +53,9 @@ impl Receiver {
         motion: &SurfaceMotion,
         s: Vec2,
     ) -> Self {
-        // Samples of both frames lie beside their pixels' centres.
-        let sample = s + 0.5 + sample_offset(frame) * extent_ratio(frame) - previous_sample_offset(frame);
-        let depth = surface.linear_depth * (1.0 + motion.depth_ratio);
-        let w = frame.previous_clip_w_scale * depth + frame.previous_clip_w_offset;
-        let before =
-            Mat4::from_cols_array_2d(&frame.world_from_previous_sample) * Vec4::new(sample.x * w, sample.y * w, depth, 1.0);
         Self {
             position: Vec4::from(projections.world_point(p.into(), surface.linear_depth)).xyz(),
-            position_before: before.xyz(),
+            position_before: previous_surface(frame, s, surface.linear_depth * (1.0 + motion.depth_ratio)),
             normal_before: motion.previous_normal.into(),
         }
     }

@@ -33,6 +33,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("specular_by_f0", specular::by_f0),
     ("moving_reflections", specular::moving_reflections),
     ("specular_at_other_resolutions", specular::other_resolutions),
+    ("specular_at_unknown_distances", specular::unknown_distances),
     ("reactive_mask", || sequence(&Config { reactive_mask: true, ..Config::new([61, 35]) })),
     ("reactive_mask_two_signals", || sequence(&Config { reactive_mask: true, signals: Signals::Apart, ..svgf([40, 23]) })),
     ("object_normals", || sequence(&Config { object_normal: true, ..svgf([40, 23]) })),

@@ -29,6 +29,21 @@ pub fn by_f0() {
     assert_valid();
 }
 
+/// Neither hit distances nor roughness, as Blender has them: images are sought at infinity.
+pub fn unknown_distances() {
+    let config = Config { signals: Signals::Specular, preset: Preset::Best, ..Config::new([40, 23]) };
+    let scene = Scene { speed: 0.12, ..Scene::new([40, 23]) };
+    let mut s = session_with(&config, SessionOptions { poison: true, keep_transients: true, ..Default::default() });
+    for i in 0..5 {
+        upload(&mut s, &scene.frame(i, i));
+        for name in ["roughness", "specular_hit_distance"] {
+            s.unbind(name).expect("optional");
+        }
+        run(&mut s, &scene.params(i), &Tuning::for_preset(config.preset));
+    }
+    assert_valid();
+}
+
 pub fn other_resolutions() {
     let config = Config { signals: Signals::Specular, ..svgf([48, 32]) };
     let mut s = session_with(&config, SessionOptions { poison: true, keep_transients: true, ..Default::default() });

@@ -225,6 +225,11 @@ impl Reprojected {
         }
     }
 
+    /// Of the surface in the previous frame.
+    pub(crate) fn linear_depth(&self) -> f32 {
+        self.linear_depth
+    }
+
     /// The surface at another place of its plane.
     pub(crate) fn at(self, s: Vec2, linear_depth: f32) -> Self {
         Self { s, linear_depth, ..self }

@@ -4,12 +4,14 @@ use super::{Centre, Scene};
 use crate::nodes::temporal_accumulation::twin::{cubic_taps, SMALLEST_WEIGHT_SUM};
 use crate::reference::binary16::LARGEST_HALF;
 use crate::reference::forward_projection::previous_world_position;
+use crate::reference::luminance::texel_luminance;
 use crate::reference::luminance_history::unpack_luminance_history;
-use crate::reference::projection::extent_ratio;
+use crate::reference::projection::{extent_ratio, previous_surface};
 use crate::reference::reflection::{
     hit_distance_of, lobe_radius, lobe_width, mirror_image_distance, mirror_share, nearness, unpack_reflection, SeenReflection,
 };
 use crate::reference::render_rect::RenderRect;
+use crate::reference::virtual_motion::image_at_rest;
 use glam::{IVec2, Vec2, Vec3, Vec4Swizzles};
 
 /// Pixels: a picture that moves by as much from frame to frame does not stand still.
@@ -32,6 +34,25 @@ const ROUNDED: f32 = 1e-3;
 /// Pixels to each side, and the fewest that tell a change.
 const AGREEMENT_REACH: i32 = 2;
 const FEWEST_AGREEING: f32 = 9.0;
+/// Of the light of a past: logarithms of less are next to equal.
+const DARK: f32 = 0.02;
+/// Of the pixels around the 3×3 nearest ones, beside those.
+const RING_WEIGHT: f32 = 0.25;
+/// By how much the mean of a logarithm to base 2 may lie below the logarithm of a mean, of the variance: four times that of a log-normal
+/// distribution, since rare light is skewed more.
+const LOG_BIAS: f32 = 1.386;
+/// Smallest variances of logarithms to base 2: of a mean of pixels, and of a sample.
+const LOG_ROUNDED: f32 = 1e-3;
+const LOG_NOISE: f32 = 1e-2;
+/// Pixels that rare light should have hit by the past, of those compared: up to the first, that it hit none is chance, from the second on it
+/// is a change.
+const FEW_HITS: f32 = 2.0;
+const ENOUGH_HITS: f32 = 4.0;
+/// Three in a row that tell how white noise is.
+const FEWEST_ROWS: f32 = 6.0;
+
+/// Depths to a thing whose hit distance nobody knows: what is far away, or in a curved mirror, is seen next to where this is.
+const UNKNOWN_REACH: f32 = 1e4;
 
 /// Mean of what the tested taps hold.
 #[derive(Clone, Copy, Default)]
@@ -94,40 +115,97 @@ fn image_share(surface: Option<Past>, image: Option<Past>) -> f32 {
     }
 }
 
+fn of_light([r, g, b]: [f32; 3]) -> f32 {
+    texel_luminance([r, g, b, 0.0])
+}
+
+/// Frames until the error of a past is as large as the noise of a sample, both as ratios of light. Rare light has noise without bounds by
+/// this measure, and a highlight, which is smooth as a ratio, next to none. `logs`: by offset, of now and of the past. `hits`: the share of samples that
+/// brought the light of the past.
+fn frames_by_logs(logs: &[(IVec2, [f32; 2])], hits: f32) -> f32 {
+    let now_at = |at: IVec2| logs.iter().find(|(offset, _)| *offset == at).map(|(_, [now, _])| *now);
+    let rows = logs.iter().filter_map(|(offset, [now, _])| {
+        let [beside, beyond] = [1, 2].map(|left| now_at(*offset - IVec2::X * left));
+        Some((now - 2.0 * beside? + beyond?).powi(2))
+    });
+    let rows: Vec<f32> = rows.collect();
+    if (rows.len() as f32) < FEWEST_ROWS {
+        return f32::INFINITY;
+    }
+    let noise = rows.iter().sum::<f32>() / (6.0 * rows.len() as f32);
+    let weight = |offset: IVec2| if offset.abs().max_element() < AGREEMENT_REACH { 1.0 } else { RING_WEIGHT };
+    let (mut sum, mut squares, mut difference) = (0.0, 0.0, 0.0);
+    for (offset, [now, then]) in logs {
+        let weight = weight(*offset);
+        sum += weight;
+        squares += weight * weight;
+        difference += weight * (now - then);
+    }
+    let difference = difference / sum;
+    let pixels = sum * sum / squares;
+    let missed = ((hits * pixels - FEW_HITS) / (ENOUGH_HITS - FEW_HITS)).clamp(0.0, 1.0);
+    let outside = difference.max(-(difference + LOG_BIAS * noise) * missed).max(0.0);
+    let error = (outside - (noise / pixels + LOG_ROUNDED).sqrt()).max(0.0);
+    (noise + LOG_NOISE) / (error * error).max(1e-9)
+}
+
 impl Scene<'_> {
     /// The better of two pasts, or a blend of both. `seen` is of this frame, then with its past.
     pub(super) fn best_past(&self, c: &Centre, seen: &mut SeenReflection) -> Option<BestPast> {
         let depth = c.mirror.surface.linear_depth;
+        let is_known = seen.hit_distance > 0.0;
         let mut surface = self.past_at(c, c.mirror.surface_position);
         let radius = lobe_radius(self.frame, depth, *seen);
-        if let Some(past) = surface.filter(|past| past.nearness > 0.0 && seen.hit_distance > 0.0) {
+        if let Some(past) = surface.filter(|past| past.nearness > 0.0 && is_known) {
             let share = radius * radius / (1.0 + radius * radius) * past.frames / (1.0 + past.frames);
             let now = nearness(depth, seen.hit_distance);
             seen.hit_distance = hit_distance_of(depth, now + share * (past.nearness - now));
         }
-        let (curvature, share) = (self.motion.curvature(&c.mirror), mirror_share(seen.roughness));
-        let curved = SeenReflection { hit_distance: mirror_image_distance(seen.hit_distance, curvature.mean), ..*seen };
+        // What nobody knows is tried as a mirror, and the light of now tells.
+        let tried = match (is_known, self.inputs.roughness) {
+            (true, _) => *seen,
+            (false, Some(_)) => SeenReflection { hit_distance: UNKNOWN_REACH * depth, ..*seen },
+            (false, None) => SeenReflection { hit_distance: UNKNOWN_REACH * depth, roughness: 0.0 },
+        };
+        let (curvature, share) = (self.motion.curvature(&c.mirror), mirror_share(tried.roughness));
+        let curved = SeenReflection { hit_distance: mirror_image_distance(tried.hit_distance, curvature.mean), ..tried };
         let tolerance = 0.5 + 0.5 * lobe_radius(self.frame, depth, curved);
-        let before = self.inputs.instances.scenery_before(self.frame, &c.mirror, &curvature, *seen);
-        let position_of = |image| self.motion.image_position(&c.mirror, &curvature, &before.mirror, image, seen.roughness);
-        let position = Some(before.image).filter(|_| seen.hit_distance > 0.0).and_then(position_of);
-        let steadiness = position.map_or(0.0, |position| share * self.steadiness(c, radius, position));
-        let image = position.filter(|position| self.is_in_lobe(*position, before.thing, seen.roughness));
-        let mut image = image.and_then(|position| self.past_at(c, position));
-        if let Some(past) = &mut surface {
-            let moved = position.map_or(0.0, |position| position.distance(c.mirror.surface_position));
-            past.frames = worth(past.frames, moved, tolerance);
+        let mut before = self.inputs.instances.scenery_before(self.frame, &c.mirror, &curvature, *seen);
+        if !is_known {
+            before.image = image_at_rest(tried.hit_distance);
+            before.mirror.position = previous_surface(self.frame, c.mirror.surface_position, c.reprojected.linear_depth());
         }
-        if let (Some(past), Some(position)) = (&mut image, position) {
-            let remembered = position_of(before.image.with_z(hit_distance_of(depth, past.nearness))).unwrap_or(position);
-            past.frames = worth(past.frames, position.distance(remembered), tolerance);
-            let mut change = (seen.roughness - past.roughness).abs() * 8.0;
-            // Of a thing that was followed, lobes and outlines change the distance.
-            if !before.followed {
-                let distance = (nearness(depth, before.image.z) - past.nearness).abs();
-                change += distance * share / (0.05 + lobe_width(seen.roughness));
+        let position_of = |image| self.motion.image_position(&c.mirror, &curvature, &before.mirror, image, tried.roughness);
+        let position = position_of(before.image);
+        let moved = position.map_or(0.0, |position| position.distance(c.mirror.surface_position));
+        let steadiness = position.filter(|_| is_known).map_or(0.0, |position| share * self.steadiness(c, radius, position));
+        let image = position.filter(|position| match is_known {
+            true => self.is_in_lobe(*position, before.thing, tried.roughness),
+            false => moved > STILL,
+        });
+        let mut image = image.and_then(|position| self.past_at(c, position));
+        if !is_known {
+            let places = [(&mut surface, Some(c.mirror.surface_position)), (&mut image, position)];
+            for (past, position) in places {
+                if let (Some(past), Some(position)) = (past, position) {
+                    past.frames = self.frames_by_light(c, position, past, AGREES_WIDEST, true);
+                }
             }
-            past.frames = worth(past.frames, change, 2.0);
+        } else {
+            if let Some(past) = &mut surface {
+                past.frames = worth(past.frames, moved, tolerance);
+            }
+            if let (Some(past), Some(position)) = (&mut image, position) {
+                let remembered = position_of(before.image.with_z(hit_distance_of(depth, past.nearness))).unwrap_or(position);
+                past.frames = worth(past.frames, position.distance(remembered), tolerance);
+                let mut change = (tried.roughness - past.roughness).abs() * 8.0;
+                // Of a thing that was followed, lobes and outlines change the distance.
+                if !before.followed {
+                    let distance = (nearness(depth, before.image.z) - past.nearness).abs();
+                    change += distance * share / (0.05 + lobe_width(tried.roughness));
+                }
+                past.frames = worth(past.frames, change, 2.0);
+            }
         }
         let image_share = image_share(surface, image);
         if self.inputs.is_sharp && tolerance < BLURRED_ANYWAY {
@@ -144,9 +222,11 @@ impl Scene<'_> {
             (Some(surface), Some(image)) => surface.blend(&image, image_share),
             (surface, image) => surface.or(image)?,
         };
-        let chosen = if image_share > 0.49 { position } else { None };
-        let agrees = if share > 0.0 { AGREES } else { AGREES_WIDEST };
-        past.frames *= self.agreement(c, chosen.unwrap_or(c.mirror.surface_position), &past, agrees);
+        if is_known {
+            let chosen = if image_share > 0.49 { position } else { None };
+            let agrees = if share > 0.0 { AGREES } else { AGREES_WIDEST };
+            past.frames = self.frames_by_light(c, chosen.unwrap_or(c.mirror.surface_position), &past, agrees, false);
+        }
         Some(BestPast { past, origin: c.origin, image_share, steadiness })
     }
 
@@ -162,36 +242,50 @@ impl Scene<'_> {
         (1.0 - radius).max((1.0 - moved / STILL) * (1.0 - 0.5 * turned)).max(0.0)
     }
 
-    /// How far the light of now is that of the past around a position, 1 to 0: by the mean difference over 5×5 pixels in standard errors,
-    /// of the channel that differs most.
-    fn agreement(&self, c: &Centre, position: Vec2, past: &Past, agrees: f32) -> f32 {
+    /// Frames that a past is worth by the light of now around a position: by the mean difference over 5×5 pixels in standard errors, of the
+    /// channel that differs most; where nobody knows the place of what is seen (`by_logs`), by logarithms as well.
+    fn frames_by_light(&self, c: &Centre, position: Vec2, past: &Past, agrees: f32, by_logs: bool) -> f32 {
         let ratio = self.frame.exposure_ratio;
         let in_light = |value: f32| (value * ratio).clamp(0.0, LARGEST_HALF);
         let (id, before) = (c.mirror.surface.id, RenderRect::new(self.frame.previous_render_extent));
         let shift = (position + 0.5).floor().as_ivec2() - c.mirror.p;
-        let window = self.rect.window(c.mirror.p, AGREEMENT_REACH, 1);
         let counts = |q: IVec2| {
             let surface = self.motion.surfaces.at(q);
             before.contains(q + shift) && self.inputs.noisy.at(q)[3] >= 0.0 && !surface.is_background() && surface.id == id
         };
-        let pairs: Vec<_> = window
+        let pairs: Vec<(IVec2, [f32; 3], [f32; 3])> = self
+            .rect
+            .window(c.mirror.p, AGREEMENT_REACH, 1)
             .filter(|(_, q)| counts(*q))
-            .map(|(_, q)| (self.inputs.noisy.at(q), self.inputs.previous.history.at(q + shift)))
+            .map(|(offset, q)| {
+                let (now, then) = (self.inputs.noisy.at(q), self.inputs.previous.history.at(q + shift));
+                (offset, [now[0], now[1], now[2]], [then[0], then[1], then[2]].map(in_light))
+            })
             .collect();
         let count = pairs.len() as f32;
         if count < FEWEST_AGREEING {
-            return 1.0;
+            return past.frames;
         }
         let deviation = (past.second_moment - past.mean * past.mean).max(0.0).sqrt() * ratio;
         let known = deviation.min(LARGEST_HALF).powi(2);
+        let irradiance = past.irradiance.map(in_light);
         let errors = [0, 1, 2].map(|i| {
-            let differences = pairs.iter().map(|(now, then)| now[i] - in_light(then[i]));
+            let differences = pairs.iter().map(|(_, now, then)| now[i] - then[i]);
             let mean = differences.clone().sum::<f32>() / count;
             let variance = differences.map(|d| (d - mean).powi(2)).sum::<f32>() / count;
-            let rounded = ROUNDED * in_light(past.irradiance[i]);
+            let rounded = ROUNDED * irradiance[i];
             mean.abs() / (variance.max(known) / count + rounded * rounded + 1e-20).sqrt()
         });
-        (2.0 - errors.into_iter().fold(0.0, f32::max) / agrees).clamp(0.0, 1.0)
+        let agreement = (2.0 - errors.into_iter().fold(0.0, f32::max) / agrees).clamp(0.0, 1.0);
+        if !by_logs {
+            return past.frames * agreement;
+        }
+        let dark = DARK * of_light(irradiance) + 1e-6;
+        let logs: Vec<_> =
+            pairs.iter().map(|(offset, now, then)| (*offset, [now, then].map(|light| (of_light(*light) + dark).log2()))).collect();
+        let mean = ((c.origin + past.mean) * ratio).min(LARGEST_HALF);
+        let hits = mean * mean / (mean * mean + known).max(1e-20);
+        (past.frames * agreement).min(frames_by_logs(&logs, hits))
     }
 
     /// The mean of the tested 2×2 taps around a position.

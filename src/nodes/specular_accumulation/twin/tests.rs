@@ -22,7 +22,7 @@ struct Wall {
     frame: FrameConstants,
     guides: Guides,
     noisy: Image<[f32; 4]>,
-    roughness: Image<[f32; 4]>,
+    roughness: Option<Image<[f32; 4]>>,
     history: Image<[f32; 4]>,
     luminance_history: Image<[u16; 4]>,
     reflection: Image<u32>,
@@ -45,7 +45,7 @@ impl Wall {
             frame: frame_with(&Config::new(EXTENT), &cameras[0], &cameras[1]),
             guides,
             noisy: Image::new(EXTENT, [0.0, 0.0, 0.0, hit_distance]),
-            roughness: Image::new(EXTENT, [roughness; 4]),
+            roughness: Some(Image::new(EXTENT, [roughness; 4])),
             history: paint(EXTENT, |x, _| [x as f32; 4]),
             luminance_history: Image::new(EXTENT, pack_luminance_history(&luminance_history)),
             reflection: Image::new(EXTENT, pack_reflection(&SeenReflection { hit_distance, roughness }, None)),
@@ -65,7 +65,7 @@ impl Wall {
             noisy: &self.noisy,
             is_filtered: self.is_filtered,
             is_sharp: self.is_sharp,
-            roughness: Some(&self.roughness),
+            roughness: self.roughness.as_ref(),
             history_confidence: None,
             instances: Instances {
                 hit_id: self.ids.as_ref().map(|[hit, _]| hit),
@@ -125,9 +125,9 @@ fn a_sharp_history_of_a_mirror_is_looked_up_by_the_cubic() {
 const FARTHEST: f32 = crate::reference::FARTHEST_HIT;
 
 #[test]
-fn rough_surfaces_and_unknown_distances_move_as_the_surface() {
+fn rough_surfaces_move_as_the_surface() {
     let expected = STEP * FOCAL / WALL;
-    for (hit_distance, roughness) in [(4.0, 1.0), (0.0, 0.0), (0.0, 1.0)] {
+    for (hit_distance, roughness) in [(4.0, 1.0), (0.0, 1.0)] {
         let shift = Wall::new(STEP, hit_distance, roughness).shift();
         assert!((shift - expected).abs() < 0.05, "{hit_distance} {roughness}: {shift}");
     }
@@ -197,6 +197,44 @@ fn light_that_is_not_that_of_the_past_drops_it() {
     // Twenty-five samples that a light which one in twenty hits has missed.
     assert!(length(0.0, &|_, _| 0.0) < 1.5, "no noise is known");
     assert!(length(1.2, &|_, _| 0.0) > 900.0, "rare light");
+}
+
+/// Frames of the past that counts, of a wall whose hit distance and finish nobody knows: `before` and `now` are its light.
+fn of_unknown_light(step: f32, deviation: f32, before: impl Fn(i32) -> f32, now: impl Fn(i32) -> f32) -> (f32, Option<f32>) {
+    let mut wall = Wall { roughness: None, ..Wall::new(step, 0.0, 0.0) };
+    let luminance_history = |mean| LuminanceHistory { mean, deviation, history_length: 100.0, reason: 0 };
+    wall.history = paint(EXTENT, |x, _| [before(x); 4]);
+    wall.luminance_history = paint(EXTENT, |x, _| pack_luminance_history(&luminance_history(before(x))));
+    wall.noisy = paint(EXTENT, |x, y| {
+        let light = now(x) * (0.975 + 0.05 * ((x + y) % 2) as f32);
+        [light, light, light, 0.0]
+    });
+    let (p, outputs) = (IVec2::new(12, 8), wall.run());
+    let frames = crate::reference::unpack_luminance_history(outputs.luminance_history.at(p)).history_length;
+    (frames, unpack_image_share(outputs.reflection.at(p)))
+}
+
+#[test]
+fn the_light_tells_whether_a_thing_at_unknown_distance_moves_as_the_surface_or_as_an_image() {
+    // Stripes with a period that the motion of four pixels does not hide.
+    let stripes = |x: i32| if x.rem_euclid(7) < 3 { 1.0 } else { 4.0 };
+    // What lies at infinity stands still on the screen of a camera that slides.
+    let (frames, share) = of_unknown_light(STEP, 0.05, stripes, stripes);
+    assert!(share > Some(0.95) && frames > 50.0, "as an image: {share:?}, {frames} frames");
+    let (frames, share) = of_unknown_light(STEP, 0.05, stripes, |x| stripes(x + 4));
+    assert!(share < Some(0.05) && frames > 50.0, "as the surface: {share:?}, {frames} frames");
+    assert!(of_unknown_light(STEP, 0.05, stripes, |_| 16.0).0 < 2.0, "as neither");
+}
+
+#[test]
+fn a_highlight_that_left_drops_its_past() {
+    let before = |x: i32| if (10..15).contains(&x) { 16.0 } else { 1.0 };
+    // It shone here in some of the frames, so that the past itself is no longer sure.
+    assert!(of_unknown_light(0.0, 16.0, before, |_| 0.8).0 < 2.0);
+    assert!(of_unknown_light(0.0, 16.0, before, before).0 > 90.0);
+    assert!(of_unknown_light(0.0, 16.0, |_| 1.0, |_| 1.0).0 > 90.0);
+    // One sample in a hundred brings light that all of these missed.
+    assert!(of_unknown_light(0.0, 10.0, |_| 1.0, |_| 0.1).0 > 90.0, "rare light");
 }
 
 #[test]

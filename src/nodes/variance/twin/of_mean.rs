@@ -21,16 +21,24 @@ const FILLED_NOISE: f32 = 2.0;
 /// White noise bends by six times its variance: `(l₊ − 2l + l₋)²`.
 const BEND_OF_NOISE: f32 = 6.0;
 
-/// Shares of a spread that bends as noise does: up to the first it is an edge or a texture that no guide knows, from the second on it is
-/// noise.
+/// Shares of a spread of logarithms that bends as noise does: up to the first it is an edge, a texture or a highlight that no guide knows,
+/// from the second on it is noise.
 const STRUCTURE: f32 = 0.4;
 const WHITE_NOISE: f32 = 0.8;
 
+/// Of the mean: logarithms of less are next to equal.
+const DARK: f32 = 0.1;
+
+/// Variances of logarithms to base 2 that do not bend: from the first to the second, a picture counts as one. It spans a factor of 1.6,
+/// and 2.7.
+const FAINT_PICTURE: f32 = 0.5;
+const CLEAR_PICTURE: f32 = 2.0;
+
 /// Estimates from 5×5 pixels of how the luminance of one of them varies.
 struct Surroundings {
-    /// Variance of the samples that a mean was made of.
+    /// Variance of the samples that a mean was made of; less where a clear picture is.
     within: f32,
-    /// Variance of the means, without what is smooth.
+    /// Variance of the means, without what is smooth, and less likewise.
     noise: f32,
     /// Of that noise, without edges and textures.
     seen: f32,
@@ -46,12 +54,50 @@ pub(super) fn deviation_of_mean(
     luminance_history: &Image<LuminanceHistory>,
     p: IVec2,
 ) -> f32 {
+    let rect = RenderRect::new(frame.render_extent);
     let around = surroundings(frame, geometry, luminance_history, p);
-    let bend = bend(RenderRect::new(frame.render_extent), geometry, luminance_history, p);
-    let noise = bend.map_or(around.noise, |bend| around.noise.min(bend / BEND_OF_NOISE));
-    let share = ((noise / around.noise.max(1e-36) - STRUCTURE) / (WHITE_NOISE - STRUCTURE)).clamp(0.0, 1.0);
-    let seen = noise * share * share * (3.0 - 2.0 * share);
-    deviation(tuning, luminance_history.at(p), Surroundings { noise, seen, ..around })
+    let mean_at = |q: IVec2| luminance_history.at(q).mean;
+    let noise = around.noise.min(noise_of(rect, geometry, &mean_at, p).unwrap_or(f32::INFINITY));
+    let white = Whiteness::new(rect, geometry, &mean_at, p);
+    let within = around.within * white.of_pictures;
+    deviation(
+        tuning,
+        luminance_history.at(p),
+        Surroundings { within, noise: noise * white.of_pictures, seen: noise * white.whole, ..around },
+    )
+}
+
+/// How far neighbours differ as noise does and not as a picture, 0 to 1. Told by logarithms, in which a highlight is as smooth as its foot,
+/// and rare light is not.
+struct Whiteness {
+    whole: f32,
+    /// 1 where the picture is no clear one.
+    of_pictures: f32,
+}
+
+impl Whiteness {
+    fn new(rect: RenderRect, geometry: &Geometry, luminance: &dyn Fn(IVec2) -> f32, p: IVec2) -> Self {
+        let window: Vec<(f32, IVec2)> = rect.window(p, FADING_RADIUS, 1).map(|(_, q)| (geometry.weight(p, q), q)).collect();
+        let sum: f32 = window.iter().map(|(weight, _)| weight).sum();
+        let mean = |value: &dyn Fn(IVec2) -> f32| window.iter().map(|(weight, q)| weight * value(*q)).sum::<f32>() / sum;
+        let dark = (DARK * mean(luminance)).max(0.0) + 1e-12;
+        let log = |q: IVec2| (luminance(q).max(0.0) + dark).log2();
+        let middle = mean(&log);
+        let spread = mean(&|q| (log(q) - middle).powi(2));
+        match noise_of(rect, geometry, &log, p) {
+            None => Self { whole: 1.0, of_pictures: 1.0 },
+            Some(noise) => {
+                let whole = smoothstep(STRUCTURE, WHITE_NOISE, noise / spread.max(1e-20));
+                let clear = smoothstep(FAINT_PICTURE, CLEAR_PICTURE, spread - noise);
+                Self { whole, of_pictures: 1.0 + clear * (whole - 1.0) }
+            }
+        }
+    }
+}
+
+fn smoothstep(from: f32, to: f32, value: f32) -> f32 {
+    let x = ((value - from) / (to - from)).clamp(0.0, 1.0);
+    x * x * (3.0 - 2.0 * x)
 }
 
 /// The same where pixels were filled in: they repeat their neighbours, so that what is smooth may be noise as well.
@@ -95,8 +141,9 @@ fn surroundings(
     Surroundings { within, noise: spread, seen: spread, doubt: ((kurtosis - 1.0).max(0.0) / sum).sqrt() }
 }
 
-/// Mean of the squared second differences of neighbours along x and y, all of the surface of the centre; none where there are too few.
-fn bend(rect: RenderRect, geometry: &Geometry, luminance_history: &Image<LuminanceHistory>, p: IVec2) -> Option<f32> {
+/// Variance that bends, by the squared second differences of neighbours along x and y, all of the surface of the centre; none where there
+/// are too few.
+fn noise_of(rect: RenderRect, geometry: &Geometry, value: &dyn Fn(IVec2) -> f32, p: IVec2) -> Option<f32> {
     let (mut sum, mut count) = (0.0, 0.0);
     let middles = rect.window(p, FADING_RADIUS, 1).flat_map(|(offset, q)| [(offset, q, IVec2::X), (offset, q, IVec2::Y)]);
     for (offset, q, axis) in middles {
@@ -106,9 +153,9 @@ fn bend(rect: RenderRect, geometry: &Geometry, luminance_history: &Image<Luminan
             continue;
         }
         let weight = geometry.weight(p, before) * geometry.weight(p, q) * geometry.weight(p, behind);
-        let bend = luminance_history.at(before).mean - 2.0 * luminance_history.at(q).mean + luminance_history.at(behind).mean;
+        let bend = value(before) - 2.0 * value(q) + value(behind);
         sum += weight * bend * bend;
         count += weight;
     }
-    (count > 0.5).then(|| sum / count)
+    (count > 0.5).then(|| sum / count / BEND_OF_NOISE)
 }

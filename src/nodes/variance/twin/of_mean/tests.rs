@@ -24,6 +24,11 @@ fn of(mean: f32, deviation: f32, history_length: f32) -> LuminanceHistory {
     LuminanceHistory { mean, deviation, history_length, reason: 0 }
 }
 
+/// Of a pixel of the row 24.
+fn at(deviations: &[f32], x: usize) -> f32 {
+    deviations[(24 - 4) * 40 + x - 4]
+}
+
 fn root_mean_square(values: &[f32]) -> f32 {
     (values.iter().map(|value| value * value).sum::<f32>() / values.len() as f32).sqrt()
 }
@@ -64,6 +69,26 @@ fn a_picture_in_a_mirror_is_no_noise() {
     assert!(widest < 0.1, "{widest}");
 }
 
+/// A highlight of a few pixels, 200 times as bright as the surface.
+fn highlight(x: i32, y: i32) -> f32 {
+    let (dx, dy) = (x as f32 - 20.0, y as f32 - 24.0);
+    0.5 + 100.0 * (-0.5 * (dx * dx + dy * dy)).exp()
+}
+
+#[test]
+fn a_highlight_is_no_noise_for_the_surface_beside_it() {
+    let beside = |value: fn(i32, i32) -> f32, deviation| {
+        let seen = paint(EXTENT, |x, y| of(value(x, y), deviation, 1.0));
+        at(&deviations(&flat(), &seen), 17).max(at(&deviations(&flat(), &seen), 23))
+    };
+    assert!(beside(highlight, 0.0) < 0.5, "{}", beside(highlight, 0.0));
+    // What the highlight left in the pasts of its neighbours is none either.
+    assert!(beside(highlight, 20.0) < 0.5, "{}", beside(highlight, 20.0));
+    // The same light in one pixel of nine is.
+    let rare = |x: i32, y: i32| if x % 3 == 0 && y % 3 == 0 { 9.0 } else { 0.01 };
+    assert!(beside(rare, 0.0) > 2.0, "{}", beside(rare, 0.0));
+}
+
 #[test]
 fn a_variance_that_few_pixels_tell_is_in_doubt() {
     // The same variance in all pixels, and in one of sixteen.
@@ -79,9 +104,9 @@ fn a_variance_that_few_pixels_tell_is_in_doubt() {
 #[test]
 fn another_surface_says_nothing() {
     let edge = guides(EXTENT, |x, _| surface(if x < 24 { 4.0 } else { 9.0 }));
-    let luminance_history = paint(EXTENT, |x, _| of(if x < 24 { 0.0 } else { 100.0 }, 0.0, 1.0));
-    assert!(deviations(&edge, &luminance_history).iter().all(|deviation| *deviation < 1e-3));
-    assert!(deviations(&flat(), &luminance_history).iter().any(|deviation| *deviation > 10.0));
+    let luminance_history = paint(EXTENT, |x, y| of(if x >= 24 && (x + y) % 2 == 0 { 100.0 } else { 0.0 }, 0.0, 1.0));
+    assert!(at(&deviations(&edge, &luminance_history), 23) < 1e-3);
+    assert!(at(&deviations(&flat(), &luminance_history), 23) > 10.0);
 }
 
 #[test]
