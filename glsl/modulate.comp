@@ -2,11 +2,13 @@
 // Multiplies the albedo back, adds the signals and what was emitted.
 // Source: [SVGF] section 3. The divisor is that of demodulate.comp, so the round trip is exact. Light that the host divided itself is multiplied
 // by the albedo as it is.
+// With UPSAMPLED the irradiance has fewer pixels, and is brought to each rendered one first, as upsample does; so it is never stored.
 // In:  filtered irradiance per signal; albedo and emission of the host, and for specular light, the second signal then, an albedo of its own,
-//      or specular_f0; guide. Out: denoised_radiance, linear Rec. 709.
+//      or specular_f0; guide, with UPSAMPLED of the pixels with light, and rendered_guide of all. Out: denoised_radiance, linear Rec. 709.
 // Constant SPECULAR: the second signal is specular light.
-// variants: FLOAT=0 FLOAT=1
+// variants: FLOAT=0 FLOAT=1 FLOAT=0,UPSAMPLED=1 FLOAT=1,UPSAMPLED=1
 // optional: albedo, emission, filtered_1, specular_albedo, specular_f0
+#extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 
@@ -37,7 +39,15 @@ const uint FILTERED_1 = 7u;
 const uint SPECULAR_ALBEDO = 8u;
 const uint SPECULAR_F0 = 9u;
 
+#if UPSAMPLED
+layout(set = 0, binding = 2) uniform utexture2D rendered_guide;
+layout(set = 0, binding = 10) uniform utexture2D guide;
+// Nobody sets it: its default tells the variant.
+layout(constant_id = 2) const bool GATHERS = true;
+#else
 layout(set = 0, binding = 2) uniform utexture2D guide;
+#define rendered_guide guide
+#endif
 layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
 layout(set = 0, binding = EMISSION) uniform texture2D emission;
 layout(set = 0, binding = DENOISED_RADIANCE, OUTGOING_FORMAT) uniform writeonly image2D denoised_radiance;
@@ -47,7 +57,7 @@ layout(set = 0, binding = SPECULAR_ALBEDO) uniform texture2D specular_albedo;
 layout(set = 0, binding = SPECULAR_F0) uniform texture2D specular_f0;
 
 vec3 factor_at(ivec2 p) {
-    if (!is_present(ALBEDO) || guide_depth(GuideBits(texelFetch(guide, p, 0))) == 0.0) return vec3(1.0);
+    if (!is_present(ALBEDO) || guide_depth(GuideBits(texelFetch(rendered_guide, p, 0))) == 0.0) return vec3(1.0);
     vec3 a = texelFetch(albedo, host_pixel(ALBEDO, p), 0).rgb;
     if (!has_convention(DEMODULATED)) return divisor_of(a);
     if (!is_finite(a)) count_bad(BAD_ALBEDO);
@@ -55,7 +65,7 @@ vec3 factor_at(ivec2 p) {
 }
 
 vec3 specular_factor_at(ivec2 p) {
-    GuideBits packed = GuideBits(texelFetch(guide, p, 0));
+    GuideBits packed = GuideBits(texelFetch(rendered_guide, p, 0));
     return divisor_from(p, packed, is_present(SPECULAR_ALBEDO), SPECULAR_ALBEDO, specular_albedo, is_present(SPECULAR_F0), SPECULAR_F0, specular_f0);
 }
 
@@ -67,15 +77,35 @@ vec3 emission_at(ivec2 p) {
     return vec3(0.0);
 }
 
-void main() {
-    ivec2 p = ivec2(gl_GlobalInvocationID.xy);
-    if (!is_inside(p)) return;
-    vec3 irradiance = texelFetch(filtered_0, host_pixel(FILTERED_0, p), 0).rgb;
-    vec3 second = is_present(FILTERED_1) ? texelFetch(filtered_1, host_pixel(FILTERED_1, p), 0).rgb : vec3(0.0);
-    if (!SPECULAR) irradiance += second;
-    vec3 radiance = irradiance * factor_at(p);
+void modulate(ivec2 p, vec3 first, vec3 second) {
+    if (!SPECULAR) first += second;
+    vec3 radiance = first * factor_at(p);
     if (SPECULAR) radiance += second * specular_factor_at(p);
     radiance = radiance * frame.inverse_filter_exposure + emission_at(p);
     if (is_too_bright(radiance)) count_bad(SATURATED);
     imageStore(denoised_radiance, host_pixel(DENOISED_RADIANCE, p), vec4(outgoing(radiance), 1.0));
 }
+
+#if UPSAMPLED
+#include "upsampling.glsl"
+
+void main() {
+    ivec2 p = ivec2(gl_GlobalInvocationID.xy);
+    if (!has_light(p)) return;
+    Centre centres[CELL];
+    gather(p, centres);
+    [[unroll]] for (int k = 0; k < CELL; ++k) {
+        ivec2 place;
+        if (!is_in_cell(k, place)) continue;
+        float total = GATHERS ? centres[k].sum_0.a : 1.0;
+        modulate(p * ivec2(frame.light_ratio) + place, centres[k].sum_0.rgb / total, centres[k].sum_1 / total);
+    }
+}
+#else
+void main() {
+    ivec2 p = ivec2(gl_GlobalInvocationID.xy);
+    if (!is_inside(p)) return;
+    vec3 second = is_present(FILTERED_1) ? texelFetch(filtered_1, host_pixel(FILTERED_1, p), 0).rgb : vec3(0.0);
+    modulate(p, texelFetch(filtered_0, host_pixel(FILTERED_0, p), 0).rgb, second);
+}
+#endif

@@ -1,7 +1,7 @@
 #version 450
 // Tells an upscaler where its own history of the denoised picture is worth little: for FSR, XeSS and DLSS.
 // Source: none; the share of new light is that of [SVGF] 4.1, the change of light that of [ASVGF] 3.5.
-// In:  guide; luminance_history per signal; history_confidence; denoised radiance; emission of the host. Out: reactive_mask: r: share of the
+// In:  rendered_guide; guide of the pixels with light, which may be fewer; luminance_history per signal; history_confidence; denoised radiance; emission of the host. Out: reactive_mask: r: share of the
 //      pixel that is new in this frame; g: share of its light that no filter has seen, since it is emitted; b: 0; a: 1.
 // optional: luminance_history_1, history_confidence, emission
 #extension GL_EXT_samplerless_texture_functions : require
@@ -11,6 +11,7 @@ layout(push_constant) uniform Push {
     uint present;
 } push;
 
+#define GUIDE_PIXELS
 #include "frame.glsl"
 #include "viewport.glsl"
 #include "optional.glsl"
@@ -34,11 +35,31 @@ layout(set = 0, binding = HISTORY_CONFIDENCE) uniform texture2D history_confiden
 layout(set = 0, binding = RADIANCE) uniform texture2D radiance;
 layout(set = 0, binding = EMISSION) uniform texture2D emission;
 layout(set = 0, binding = REACTIVE_MASK, rgba16f) uniform writeonly image2D reactive_mask;
+layout(set = 0, binding = 8) uniform utexture2D rendered_guide;
 
 float frames_of(uvec4 packed) { return max(unpack_luminance_history(packed).history_length, 1.0); }
 
-float new_share(ivec2 p) {
-    if (guide_depth(GuideBits(texelFetch(guide, p, 0))) == 0.0) return 0.0;
+float depth_at(ivec2 p) { return guide_depth(GuideBits(texelFetch(rendered_guide, p, 0))); }
+
+// Of the 2x2 pixels of light around a rendered pixel the one whose surface is nearest to its depth. With light of every pixel, its own.
+ivec2 light_pixel(ivec2 p, float z) {
+    ivec2 ratio = ivec2(frame.light_ratio), last = ivec2(frame.guide_extent) / ratio - 1, best = p;
+    if (ratio == ivec2(1)) return best;
+    ivec2 corner = ivec2(floor((vec2(p) + 0.5) / vec2(ratio) - 0.5));
+    float least = 3e38;
+    for (int i = 0; i < 4; ++i) {
+        ivec2 q = clamp(corner + ivec2(i % 2, i / 2), ivec2(0), last);
+        float difference = abs(guide_depth(GuideBits(texelFetch(guide, q, 0))) - z);
+        best = difference < least ? q : best;
+        least = min(least, difference);
+    }
+    return best;
+}
+
+float new_share(ivec2 at) {
+    float z = depth_at(at);
+    if (z == 0.0) return 0.0;
+    ivec2 p = light_pixel(at, z);
     float frames = frames_of(texelFetch(luminance_history_0, p, 0));
     if (is_present(LUMINANCE_HISTORY_1)) frames = min(frames, frames_of(texelFetch(luminance_history_1, p, 0)));
     float change = is_present(HISTORY_CONFIDENCE) ? 1.0 - texelFetch(history_confidence, host_pixel(HISTORY_CONFIDENCE, p), 0).x : 0.0;

@@ -66,21 +66,23 @@ pub enum Error {
         /// Rendered pixels for each of the light.
         ratio: [u32; 2],
     },
-    /// A volume and the reactive mask have the pixels of the guides.
-    #[error("Config::light_extent is {light:?}, and Config::{needs} needs light in each rendered pixel. Leave one of both out")]
-    WholeLight {
-        /// The field of the configuration.
-        needs: &'static str,
-        /// Pixels of light as given.
-        light: [u32; 2],
-    },
     /// The output is smaller than the rendered picture, or more than three times as wide or high.
-    #[error("Config::output_extent is {output:?} for {rendered:?} rendered pixels; each side must be 1 to 3 times theirs. Render more or fewer pixels, or leave it out")]
+    #[error("{what} is {output:?} for {rendered:?} rendered pixels; each side must be 1 to 3 times theirs. Render more or fewer pixels, or leave it out")]
     OutputExtent {
+        /// The field with the extent.
+        what: &'static str,
         /// Output extent as given.
         output: [u32; 2],
         /// Allocated extent, or render extent of a frame.
         rendered: [u32; 2],
+    },
+    /// The output of a frame does not fit into the allocated one.
+    #[error("FrameParams::output_extent is {output:?}, larger than the {allocated:?} pixels of Config::output_extent; allocate more, or show less")]
+    FrameOutput {
+        /// Output extent of the frame.
+        output: [u32; 2],
+        /// Allocated pixels of the output.
+        allocated: [u32; 2],
     },
     /// A structural setting is out of range.
     #[error("Config::{name} is {given}; allowed is {min} to {max}")]

@@ -1,7 +1,9 @@
 //! Light of fewer pixels than the guides.
 
 use super::support::display::{enlarged, reference, scene};
-use super::support::{assert_finite, assert_valid, frame, rmse, scene::Guides, scene::Scene, session, upload_traced};
+use super::support::{
+    assert_finite, assert_valid, frame, pixels, rmse, scene::Guides, scene::Scene, session, upload, upload_traced,
+};
 use atrous::config::{Preset, Signals};
 use atrous::executor::Session;
 use atrous::{Config, Error, FrameParams, ResetReason, Tuning};
@@ -15,6 +17,9 @@ pub const TESTS: &[DeviceTest] = &[
     ("light_of_another_size_is_refused", light_of_another_size_is_refused),
     ("images_of_light_have_its_extent", images_of_light_have_its_extent),
     ("light_of_every_pixel_changes_nothing", light_of_every_pixel_changes_nothing),
+    ("a_volume_of_half_the_light_ends_where_surfaces_do", a_volume_of_half_the_light_ends_where_surfaces_do),
+    ("half_the_visibility_of_several_lights_is_of_each_its_own", half_the_visibility_of_several_lights_is_of_each_its_own),
+    ("a_mask_of_half_the_light_marks_what_came_into_view", a_mask_of_half_the_light_marks_what_came_into_view),
 ];
 
 const EXTENT: [u32; 2] = [96, 54];
@@ -134,19 +139,6 @@ fn light_of_another_size_is_refused() {
     }
     let odd = Config { light_extent: Some([47, 27]), ..Config::new([95, 54]) }.declare().expect_err("half of an odd number");
     assert!(odd.to_string().contains("[95, 54]"), "{odd}");
-    let half = Config { light_extent: Some(HALF), ..Config::new(EXTENT) };
-    for (config, needs) in
-        [(Config { volume: true, ..half }, "Config::volume"), (Config { reactive_mask: true, ..half }, "Config::reactive_mask")]
-    {
-        let error = config.declare().expect_err(needs).to_string();
-        assert!(error.contains("[48, 27]") && error.contains(needs), "{error}");
-    }
-    #[cfg(feature = "capture")]
-    {
-        let folder = tempfile::tempdir().expect("a folder");
-        let refused = session(&self::half()).capture(folder.path().join("light"), 1).expect_err("images of two sizes").to_string();
-        assert!(refused.contains("[48, 27]") && refused.contains("light_extent"), "{refused}");
-    }
     // Frames.
     let mut s = session(&Config { light_extent: Some([48, 54]), ..Config::new(EXTENT) });
     upload_traced(&mut s, &Scene::new(EXTENT).frame(0, 0), [0; 2]);
@@ -185,4 +177,101 @@ fn light_of_every_pixel_changes_nothing() {
     let declare = |light_extent| Config { light_extent, ..Config::new(EXTENT) }.declare().expect("valid");
     let (whole, none) = (declare(Some(EXTENT)), declare(None));
     assert_eq!((whole.resources(), whole.passes().len()), (none.resources(), none.passes().len()));
+}
+
+/// Beside edges of depth, where there is more of the volume on one side.
+fn a_volume_of_half_the_light_ends_where_surfaces_do() {
+    for preset in [Preset::Volume, Preset::Best] {
+        let config = Config { preset, volume: preset != Preset::Volume, light_extent: Some(HALF), ..Config::new(EXTENT) };
+        let mut s = session(&config);
+        let mut low = session(&Config { preset: Preset::Volume, ..Config::new(HALF) });
+        let (mut error, mut bilinear) = (0.0, 0.0);
+        for i in 0..FRAMES {
+            let (scene, small) = (scene(EXTENT, 0.02, [0.0; 2]), scene(HALF, 0.02, [0.0; 2]));
+            let (guides, fewer) = (scene.frame(i, i), small.frame(i, i));
+            // Fog without noise, the thicker the farther one sees.
+            let fog = |guides: &Guides| -> Vec<[f32; 4]> {
+                let sight = guides.depth.iter().map(|depth| if depth[0] > 0.0 { depth[0] } else { 1e6 });
+                sight.map(|depth| [1.0 - (-0.3 * depth).exp(); 4]).collect()
+            };
+            let foggy = |guides: Guides| Guides {
+                noisy_volume: fog(&guides),
+                scattering_depth: vec![[0.0; 4]; guides.depth.len()],
+                ..guides
+            };
+            let (clean, fewer) = (foggy(guides), foggy(fewer));
+            upload_traced(&mut s, &clean, offset(i));
+            s.run(&FrameParams { light_offset: offset(i), ..scene.params(i) }, &Tuning::default()).expect("a frame");
+            upload(&mut low, &fewer);
+            low.run(&small.params(i), &Tuning::default()).expect("a frame");
+            let [volume, low] = [&mut s, &mut low].map(|s| s.download("denoised_volume").expect("an output"));
+            assert_finite(&volume, EXTENT, EXTENT);
+            let depth = |k: usize| if clean.depth[k][0] > 0.0 { clean.depth[k][0] } else { 1e6 };
+            let is_edge = |k: &usize| {
+                k % 96 > 1 && [k - 1, k - 2].iter().any(|other| depth(*k) > 1.2 * depth(*other) || depth(*other) > 1.2 * depth(*k))
+            };
+            let beside = |picture: &[[f32; 4]]| (2..picture.len()).filter(is_edge).map(|k| picture[k]).collect::<Vec<_>>();
+            let right = beside(&clean.noisy_volume);
+            assert!(right.len() > 50, "{}", right.len());
+            error = rmse(&beside(&volume), &right);
+            bilinear = rmse(&beside(&enlarged(&low, HALF, EXTENT, [0.0; 2])), &right);
+        }
+        println!("{preset}: {error:.4} beside edges, of an enlarged picture {bilinear:.4}");
+        assert!(error < 0.9 * bilinear, "{preset}: {error} {bilinear}");
+    }
+    assert_valid();
+}
+
+fn half_the_visibility_of_several_lights_is_of_each_its_own() {
+    let outputs = ["denoised_visibility", "denoised_visibility_1", "denoised_visibility_2"];
+    for coloured_visibility in [false, true] {
+        let config = Config { visibility: 3, coloured_visibility, light_extent: Some(HALF), ..Config::new(EXTENT) };
+        let mut s = session(&config);
+        let mut guides = None;
+        for i in 0..FRAMES {
+            let scene = Scene { speed: 0.02, ..Scene::new(EXTENT) };
+            let now = scene.frame(i, i);
+            upload_traced(&mut s, &now, offset(i));
+            s.run(&FrameParams { light_offset: offset(i), ..scene.params(i) }, &Tuning::default()).expect("a frame");
+            guides = Some(now);
+        }
+        let guides = guides.expect("frames");
+        let [second, third, _] = &guides.further_lights;
+        let red = |texels: &[[f32; 4]]| texels.iter().map(|texel| [texel[0]; 4]).collect::<Vec<_>>();
+        let clean = [&guides.clean_visibility, &second.clean_visibility, &third.clean_visibility].map(|clean| red(clean));
+        for (light, name) in outputs.into_iter().enumerate() {
+            let picture = s.download(name).expect(name);
+            assert_finite(&picture, EXTENT, EXTENT);
+            let errors: Vec<f64> = clean.iter().map(|clean| rmse(&red(&picture), clean)).collect();
+            println!("light {light}, coloured {coloured_visibility}: error against each light {errors:.3?}");
+            let others = (0..3).filter(|other| *other != light).map(|other| errors[other]);
+            assert!(others.fold(f64::INFINITY, f64::min) > 1.8 * errors[light], "light {light}: {errors:?}");
+        }
+    }
+    assert_valid();
+}
+
+fn a_mask_of_half_the_light_marks_what_came_into_view() {
+    let came = |x: u32, y: u32| (31..50).contains(&x) && (17..40).contains(&y);
+    for light_extent in [None, Some(HALF)] {
+        let mut s = session(&Config { reactive_mask: true, light_extent, ..Config::new(EXTENT) });
+        for i in 0..9 {
+            let scene = Scene::new(EXTENT);
+            let mut guides = scene.frame(0, i);
+            if i == 8 {
+                let in_view = pixels(EXTENT).enumerate().filter(|(_, (x, y))| came(*x, *y));
+                in_view.for_each(|(k, _)| guides.depth[k] = [0.5; 4]);
+            }
+            let light_offset = if light_extent.is_some() { offset(i) } else { [0; 2] };
+            upload_traced(&mut s, &guides, light_offset);
+            s.run(&FrameParams { light_offset, ..scene.params(0) }, &Tuning::default()).expect("a frame");
+        }
+        let mask = s.download("reactive_mask").expect("an output");
+        assert_eq!(mask.len(), 96 * 54);
+        let new = pixels(EXTENT).zip(&mask).filter(|(_, texel)| texel[0] > 0.9);
+        let (right, wrong): (Vec<_>, Vec<_>) = new.partition(|((x, y), _)| came(*x, *y));
+        println!("{light_extent:?}: {} pixels are new, and {} that are not are marked", right.len(), wrong.len());
+        assert!(right.len() == 19 * 23 && wrong.len() < 20, "{light_extent:?}: {} {}", right.len(), wrong.len());
+    }
+    assert_valid();
 }

@@ -1,14 +1,18 @@
 //! An output larger than what is rendered.
 
 use super::support::display::{enlarged, reference, scene};
-use super::support::{assert_valid, frame, rmse, scene::Scene, session, upload};
+use super::support::{assert_valid, frame, rmse, scene::Scene, session, upload, upload_traced};
 use atrous::config::{PostProcess, Preset};
-use atrous::{Config, Error, FrameParams, Lifetime, ResetReason, Setup, Tuning};
+use atrous::reference::luminance;
+use atrous::{Config, Error, FrameParams, ResetReason, Setup, ToneCurve, Tuning};
 use atrous_harness::DeviceTest;
 
 pub const TESTS: &[DeviceTest] = &[
     ("the_output_is_better_than_an_enlarged_picture", the_output_is_better_than_an_enlarged_picture),
     ("a_render_extent_that_changes_resets_nothing", a_render_extent_that_changes_resets_nothing),
+    ("an_output_that_changes_resets_nothing", an_output_that_changes_resets_nothing),
+    ("an_output_beyond_the_allocated_one_is_refused", an_output_beyond_the_allocated_one_is_refused),
+    ("a_lamp_that_switches_causes_no_lag", a_lamp_that_switches_causes_no_lag),
     ("a_cut_is_a_first_frame", a_cut_is_a_first_frame),
     ("a_ratio_out_of_range_is_refused", a_ratio_out_of_range_is_refused),
     ("images_of_the_output_have_its_extent", images_of_the_output_have_its_extent),
@@ -72,6 +76,96 @@ fn a_render_extent_that_changes_resets_nothing() {
     assert_valid();
 }
 
+/// The top left of a picture.
+fn corner(picture: &[[f32; 4]], allocated: [u32; 2], [width, height]: [u32; 2]) -> Vec<[f32; 4]> {
+    picture.chunks_exact(allocated[0] as usize).take(height as usize).flat_map(|row| row[..width as usize].to_vec()).collect()
+}
+
+fn an_output_that_changes_resets_nothing() {
+    let (allocated, small) = ([192, 108], [150, 84]);
+    for speed in [0.0, 0.02] {
+        // The error in the frame `at`, from whose first change on the output is another.
+        let error = |at: u32, output: &dyn Fn(u32) -> [u32; 2]| {
+            let mut s = session(&Config { output_extent: Some(allocated), ..Config::new(EXTENT) });
+            for i in 0..=at {
+                let scene = scene(EXTENT, speed, jitter(i));
+                let params = FrameParams { output_extent: Some(output(i)), ..scene.params(i) };
+                let (context, _) = frame(&mut s, &scene.frame(i, i), &params, &Tuning::default());
+                assert_eq!(context.reset, (i == 0).then_some(ResetReason::Created), "frame {i}");
+                assert_eq!(context.output_extent, output(i));
+            }
+            let picture = s.download("upscaled_radiance").expect("an output");
+            rmse(&corner(&picture, allocated, output(at)), &reference(output(at), speed, at))
+        };
+        for (before, after) in [(allocated, small), (small, allocated)] {
+            let change = |at: u32| error(at, &|i| if i < FRAMES { before } else { after });
+            let steady = |at: u32| error(at, &|_| after);
+            // A picture that was smaller has less in it, until new frames are gathered.
+            let (blurs, later) = (after[0] > before[0], FRAMES + 16);
+            let was = if blurs { error(FRAMES, &|_| before) } else { steady(FRAMES) };
+            let (changed, settled, first) = (change(FRAMES), change(later) / steady(later), error(0, &|_| after));
+            println!("{before:?} to {after:?} at speed {speed}: {changed:.4} after {was:.4}, later {settled:.3} of steady, first {first:.4}");
+            assert!(changed < if blurs { 1.15 } else { 1.05 } * was && settled < 1.12, "{changed} {was} {settled}");
+        }
+    }
+    assert_valid();
+}
+
+fn an_output_beyond_the_allocated_one_is_refused() {
+    let run = |config: Option<[u32; 2]>, output: [u32; 2]| {
+        let mut s = session(&Config { output_extent: config, ..Config::new(EXTENT) });
+        upload(&mut s, &Scene::new(EXTENT).frame(0, 0));
+        s.run(&FrameParams { output_extent: Some(output), ..FrameParams::new(EXTENT) }, &Tuning::default()).map(|_| ())
+    };
+    run(Some([192, 108]), [100, 108]).expect("a part of it");
+    let beyond = run(Some([192, 108]), [193, 108]).expect_err("too wide");
+    assert!(matches!(beyond, Error::FrameOutput { .. }), "{beyond}");
+    assert!(beyond.to_string().contains("[193, 108]") && beyond.to_string().contains("[192, 108]"), "{beyond}");
+    let ratio = run(Some([192, 108]), [95, 108]).expect_err("a ratio below 1").to_string();
+    assert!(ratio.contains("FrameParams::output_extent") && ratio.contains("[95, 108]") && ratio.contains("1 to 3"), "{ratio}");
+    assert!(matches!(run(None, [97, 54]), Err(Error::FrameOutput { .. })));
+}
+
+/// Error of the first frame after a lamp switched, against that without history, and that of a lamp that never did.
+fn a_lamp_that_switches_causes_no_lag() {
+    let output = [192, 108];
+    let low = Config { output_extent: Some(output), ..Config::new(EXTENT) };
+    let half = Config { light_extent: Some(EXTENT), ..Config::new(output) };
+    let half = Config { output_extent: Some(output), ..half };
+    let taa = Config { post_process: PostProcess::ToneMapTaa, ..Config::new(output) };
+    let tuning = Tuning { tone_curve: ToneCurve::Reinhard, ..Tuning::default() };
+    for (way, config, name) in
+        [("low frames", low, "upscaled_radiance"), ("half the light", half, "upscaled_radiance"), ("taa", taa, "display")]
+    {
+        for (before, after) in [(0.3, 1.0), (1.0, 0.3)] {
+            let right = reference(output, 0.02, FRAMES).into_iter().map(|c| {
+                let c = c.map(|c| c * after);
+                if name == "display" {
+                    c.map(|x| x / (1.0 + luminance([c[0], c[1], c[2]])))
+                } else {
+                    c
+                }
+            });
+            let right: Vec<[f32; 4]> = right.collect();
+            let error = |before: f32, cut: bool| {
+                let mut s = session(&config);
+                for i in 0..=FRAMES {
+                    let light = if i < FRAMES { before } else { after };
+                    let scene = Scene { light, ..scene(config.allocated_extent, 0.02, jitter(i)) };
+                    let reset = (cut && i == FRAMES).then_some(ResetReason::CameraCut);
+                    upload_traced(&mut s, &scene.frame(i, i), [0; 2]);
+                    s.run(&FrameParams { reset, ..scene.params(i) }, &tuning).expect("a frame");
+                }
+                rmse(&s.download(name).expect("an output"), &right)
+            };
+            let (with, without, steady) = (error(before, false), error(before, true), error(after, false));
+            println!("{way}, {before} to {after}: {with:.4}, without history {without:.4}, where it never switched {steady:.4}");
+            assert!(with < 1.05 * without, "{way}, {before} to {after}: {with} {without}");
+        }
+    }
+    assert_valid();
+}
+
 fn a_cut_is_a_first_frame() {
     let config = Config { output_extent: Some([192, 108]), post_process: PostProcess::ToneMap, ..Config::new(EXTENT) };
     let run = |frames: u32| {
@@ -125,7 +219,7 @@ fn images_of_the_output_have_its_extent() {
                 assert_eq!(resource.bytes(declaration.setup()), 8 * 192 * 81, "{preset}, {name}");
             }
             let guide = declaration.resource(declaration.find("guide").expect("guide"));
-            assert_eq!((guide.lifetime, guide.extent(declaration.setup())), (Lifetime::History, Some(EXTENT)));
+            assert_eq!(guide.extent(declaration.setup()), Some(EXTENT));
             let larger = declaration.with_extent([100, 60]).expect("another extent");
             assert_eq!(larger.setup(), &Setup { allocated_extent: [100, 60], ..*declaration.setup() });
         }

@@ -21,6 +21,9 @@ float darkness_of(vec3 reflectance) {
     return 1.0 - min(max(reflectance.r, max(reflectance.g, reflectance.b)) / DARK_ALBEDO, 1.0);
 }
 
+// Whether an albedo divides so little that its light is kept apart from all other.
+bool is_dark(vec3 albedo) { return darkness_of(reflectance_of(albedo)) > 0.5; }
+
 // The divisor of radiance, with which it is multiplied again.
 vec3 divisor_of(vec3 albedo) {
     albedo = reflectance_of(albedo);

@@ -7,10 +7,9 @@
 // Where nothing is hit: beyond every surface, and finite.
 const float VOLUME_FAR = 1e30;
 
-float volume_depth(GuideBits packed) {
-    float z = guide_depth(packed);
-    return z == 0.0 ? VOLUME_FAR : min(z, VOLUME_FAR);
-}
+float sight(float depth) { return depth == 0.0 ? VOLUME_FAR : min(depth, VOLUME_FAR); }
+
+float volume_depth(GuideBits packed) { return sight(guide_depth(packed)); }
 
 // Pixels of the previous frame.
 vec2 unpack_volume_motion(uint packed) { return unpackHalf2x16(packed); }

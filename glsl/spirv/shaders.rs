@@ -667,26 +667,6 @@ pub(crate) static IMPORT_SURFACE_ID_1: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
-pub(crate) static LIGHT_GUIDES: Shader = Shader {
-    stage: Cow::Borrowed("light_guides"), name: Cow::Borrowed("light_guides"), spirv: Cow::Borrowed(include_bytes!("light_guides.spv")), workgroup: [8, 8, 1],
-    bindings: Cow::Borrowed(&[
-        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
-        ShaderBinding { number: 1, name: Cow::Borrowed("rendered_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
-        ShaderBinding { number: 2, name: Cow::Borrowed("rendered_surface_motion"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
-        ShaderBinding { number: 3, name: Cow::Borrowed("rendered_depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
-        ShaderBinding { number: 4, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
-        ShaderBinding { number: 5, name: Cow::Borrowed("surface_motion"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
-        ShaderBinding { number: 6, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
-        ShaderBinding { number: 7, name: Cow::Borrowed("rendered_object_normal_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
-        ShaderBinding { number: 8, name: Cow::Borrowed("object_normal_guide"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: true },
-    ]),
-    members: Cow::Borrowed(&[
-        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
-    ]),
-    constants: Cow::Borrowed(&[
-        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
-    ]),
-};
 pub(crate) static MODULATE_FLOAT_0: Shader = Shader {
     stage: Cow::Borrowed("modulate"), name: Cow::Borrowed("modulate_float_0"), spirv: Cow::Borrowed(include_bytes!("modulate_float_0.spv")), workgroup: [8, 8, 1],
     bindings: Cow::Borrowed(&[
@@ -737,6 +717,62 @@ pub(crate) static MODULATE_FLOAT_1: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
+pub(crate) static MODULATE_FLOAT_0_UPSAMPLED_1: Shader = Shader {
+    stage: Cow::Borrowed("modulate"), name: Cow::Borrowed("modulate_float_0_upsampled_1"), spirv: Cow::Borrowed(include_bytes!("modulate_float_0_upsampled_1.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("rendered_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 4, name: Cow::Borrowed("emission"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 5, name: Cow::Borrowed("denoised_radiance"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("filtered_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 7, name: Cow::Borrowed("filtered_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 8, name: Cow::Borrowed("specular_albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 9, name: Cow::Borrowed("specular_f0"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 10, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("SPECULAR"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("GATHERS"), id: 2, scalar: Scalar::Bool, default: 1 },
+        SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 3, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("WIDE"), id: 9, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
+    ]),
+};
+pub(crate) static MODULATE_FLOAT_1_UPSAMPLED_1: Shader = Shader {
+    stage: Cow::Borrowed("modulate"), name: Cow::Borrowed("modulate_float_1_upsampled_1"), spirv: Cow::Borrowed(include_bytes!("modulate_float_1_upsampled_1.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("rendered_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 4, name: Cow::Borrowed("emission"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 5, name: Cow::Borrowed("denoised_radiance"), kind: BindingKind::StorageImage(TexelFormat::Rgba32f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("filtered_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 7, name: Cow::Borrowed("filtered_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 8, name: Cow::Borrowed("specular_albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 9, name: Cow::Borrowed("specular_f0"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 10, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("SPECULAR"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("GATHERS"), id: 2, scalar: Scalar::Bool, default: 1 },
+        SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 3, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("WIDE"), id: 9, scalar: Scalar::Bool, default: 1 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
+    ]),
+};
 pub(crate) static PERCENTILE_RULE: Shader = Shader {
     stage: Cow::Borrowed("percentile_rule"), name: Cow::Borrowed("percentile_rule"), spirv: Cow::Borrowed(include_bytes!("percentile_rule.spv")), workgroup: [8, 8, 1],
     bindings: Cow::Borrowed(&[
@@ -773,6 +809,7 @@ pub(crate) static REACTIVE_MASK: Shader = Shader {
         ShaderBinding { number: 5, name: Cow::Borrowed("radiance"), kind: BindingKind::SampledImage(Component::Float), optional: false },
         ShaderBinding { number: 6, name: Cow::Borrowed("emission"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 7, name: Cow::Borrowed("reactive_mask"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 8, name: Cow::Borrowed("rendered_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
@@ -780,6 +817,45 @@ pub(crate) static REACTIVE_MASK: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
+    ]),
+};
+pub(crate) static RENDERED_GUIDE_SURFACE_ID_0: Shader = Shader {
+    stage: Cow::Borrowed("rendered_guide"), name: Cow::Borrowed("rendered_guide_surface_id_0"), spirv: Cow::Borrowed(include_bytes!("rendered_guide_surface_id_0.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("depth"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("normal"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("roughness"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 4, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 5, name: Cow::Borrowed("rendered_guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
+    ]),
+};
+pub(crate) static RENDERED_GUIDE_SURFACE_ID_1: Shader = Shader {
+    stage: Cow::Borrowed("rendered_guide"), name: Cow::Borrowed("rendered_guide_surface_id_1"), spirv: Cow::Borrowed(include_bytes!("rendered_guide_surface_id_1.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("depth"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("normal"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("roughness"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 4, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 5, name: Cow::Borrowed("rendered_guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("surface_id"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
 pub(crate) static SAMPLE_ALBEDO: Shader = Shader {
@@ -979,11 +1055,10 @@ pub(crate) static TEMPORAL_UPSCALE_FLOAT_0: Shader = Shader {
         ShaderBinding { number: 2, name: Cow::Borrowed("radiance_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 3, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 4, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
-        ShaderBinding { number: 5, name: Cow::Borrowed("previous_guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
-        ShaderBinding { number: 6, name: Cow::Borrowed("surface_motion"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
-        ShaderBinding { number: 7, name: Cow::Borrowed("previous_history"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadOnly), optional: false },
-        ShaderBinding { number: 8, name: Cow::Borrowed("upscale_history"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
-        ShaderBinding { number: 9, name: Cow::Borrowed("upscaled_radiance"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("surface_motion"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("previous_upscale_history"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 7, name: Cow::Borrowed("upscale_history"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 8, name: Cow::Borrowed("upscaled_radiance"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
@@ -1007,11 +1082,10 @@ pub(crate) static TEMPORAL_UPSCALE_FLOAT_1: Shader = Shader {
         ShaderBinding { number: 2, name: Cow::Borrowed("radiance_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 3, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 4, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
-        ShaderBinding { number: 5, name: Cow::Borrowed("previous_guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
-        ShaderBinding { number: 6, name: Cow::Borrowed("surface_motion"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
-        ShaderBinding { number: 7, name: Cow::Borrowed("previous_history"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadOnly), optional: false },
-        ShaderBinding { number: 8, name: Cow::Borrowed("upscale_history"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
-        ShaderBinding { number: 9, name: Cow::Borrowed("upscaled_radiance"), kind: BindingKind::StorageImage(TexelFormat::Rgba32f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("surface_motion"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("previous_upscale_history"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 7, name: Cow::Borrowed("upscale_history"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 8, name: Cow::Borrowed("upscaled_radiance"), kind: BindingKind::StorageImage(TexelFormat::Rgba32f, BindingAccess::WriteOnly), optional: false },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
@@ -1025,6 +1099,128 @@ pub(crate) static TEMPORAL_UPSCALE_FLOAT_1: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("SHOWN"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("WIDE"), id: 9, scalar: Scalar::Bool, default: 1 },
         SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
+    ]),
+};
+pub(crate) static TEMPORAL_UPSCALE_FLOAT_0_SURFACE_ID_0: Shader = Shader {
+    stage: Cow::Borrowed("temporal_upscale"), name: Cow::Borrowed("temporal_upscale_float_0_surface_id_0"), spirv: Cow::Borrowed(include_bytes!("temporal_upscale_float_0_surface_id_0.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("radiance_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 3, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 4, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("motion"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 6, name: Cow::Borrowed("previous_upscale_history"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 7, name: Cow::Borrowed("upscale_history"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 8, name: Cow::Borrowed("upscaled_radiance"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 9, name: Cow::Borrowed("instance_transforms"), kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly), optional: true },
+        ShaderBinding { number: 10, name: Cow::Borrowed("radiance_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("tone_curve"), offset: 4, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("exposure"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("taa_alpha"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("taa_gamma"), offset: 16, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("SHOWN"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("WIDE"), id: 9, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
+    ]),
+};
+pub(crate) static TEMPORAL_UPSCALE_FLOAT_0_SURFACE_ID_1: Shader = Shader {
+    stage: Cow::Borrowed("temporal_upscale"), name: Cow::Borrowed("temporal_upscale_float_0_surface_id_1"), spirv: Cow::Borrowed(include_bytes!("temporal_upscale_float_0_surface_id_1.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("radiance_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 3, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 4, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("motion"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 6, name: Cow::Borrowed("previous_upscale_history"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 7, name: Cow::Borrowed("upscale_history"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 8, name: Cow::Borrowed("upscaled_radiance"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 9, name: Cow::Borrowed("instance_transforms"), kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly), optional: true },
+        ShaderBinding { number: 10, name: Cow::Borrowed("radiance_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 11, name: Cow::Borrowed("surface_id"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("tone_curve"), offset: 4, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("exposure"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("taa_alpha"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("taa_gamma"), offset: 16, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("SHOWN"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("WIDE"), id: 9, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
+    ]),
+};
+pub(crate) static TEMPORAL_UPSCALE_FLOAT_1_SURFACE_ID_0: Shader = Shader {
+    stage: Cow::Borrowed("temporal_upscale"), name: Cow::Borrowed("temporal_upscale_float_1_surface_id_0"), spirv: Cow::Borrowed(include_bytes!("temporal_upscale_float_1_surface_id_0.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("radiance_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 3, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 4, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("motion"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 6, name: Cow::Borrowed("previous_upscale_history"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 7, name: Cow::Borrowed("upscale_history"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 8, name: Cow::Borrowed("upscaled_radiance"), kind: BindingKind::StorageImage(TexelFormat::Rgba32f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 9, name: Cow::Borrowed("instance_transforms"), kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly), optional: true },
+        ShaderBinding { number: 10, name: Cow::Borrowed("radiance_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("tone_curve"), offset: 4, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("exposure"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("taa_alpha"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("taa_gamma"), offset: 16, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("SHOWN"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("WIDE"), id: 9, scalar: Scalar::Bool, default: 1 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
+    ]),
+};
+pub(crate) static TEMPORAL_UPSCALE_FLOAT_1_SURFACE_ID_1: Shader = Shader {
+    stage: Cow::Borrowed("temporal_upscale"), name: Cow::Borrowed("temporal_upscale_float_1_surface_id_1"), spirv: Cow::Borrowed(include_bytes!("temporal_upscale_float_1_surface_id_1.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("radiance_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 3, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 4, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("motion"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 6, name: Cow::Borrowed("previous_upscale_history"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 7, name: Cow::Borrowed("upscale_history"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 8, name: Cow::Borrowed("upscaled_radiance"), kind: BindingKind::StorageImage(TexelFormat::Rgba32f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 9, name: Cow::Borrowed("instance_transforms"), kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly), optional: true },
+        ShaderBinding { number: 10, name: Cow::Borrowed("radiance_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 11, name: Cow::Borrowed("surface_id"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("tone_curve"), offset: 4, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("exposure"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("taa_alpha"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("taa_gamma"), offset: 16, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("SHOWN"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("WIDE"), id: 9, scalar: Scalar::Bool, default: 1 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
 pub(crate) static TONE_MAP: Shader = Shader {
@@ -1062,6 +1258,7 @@ pub(crate) static UPSAMPLE_NUMBER_0: Shader = Shader {
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 3, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -1081,6 +1278,7 @@ pub(crate) static UPSAMPLE_NUMBER_1: Shader = Shader {
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 3, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -1655,4 +1853,4 @@ pub(crate) static VOLUME_POINTS: Shader = Shader {
     ]),
 };
 #[cfg(test)]
-pub(crate) static ALL: &[&Shader] = &[&ATROUS_SIGNALS_1, &ATROUS_SIGNALS_2, &ATROUS_SIGNALS_1_SPECULAR_1, &BLOCK_DIFFERENCE, &BLOCK_PERCENTILES, &CHANGE_TEST, &CLEAR_CLAIMS, &DEBUG_VIEW, &DEMODULATE_LUMINANCE_0, &DEMODULATE_LUMINANCE_1, &EAW_SIGNALS_1, &EAW_SIGNALS_2, &FILL_HOLES, &FILTER_EXPOSURE, &FIREFLY, &FIREFLY_LIMITS_RETURNING_0, &FIREFLY_LIMITS_RETURNING_1, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1, &GRADIENT, &GRADIENT_ATROUS_RATIO_0, &GRADIENT_ATROUS_RATIO_1, &HISTORY_CONFIDENCE_SOURCE_0, &HISTORY_CONFIDENCE_SOURCE_1, &IMPORT_SURFACE_ID_0, &IMPORT_SURFACE_ID_1, &LIGHT_GUIDES, &MODULATE_FLOAT_0, &MODULATE_FLOAT_1, &PERCENTILE_RULE, &REACTIVE_MASK, &SAMPLE_ALBEDO, &SHADOWED_LIGHT_FLOAT_0, &SHADOWED_LIGHT_FLOAT_1, &SPECULAR_ACCUMULATION, &TEMPORAL_ACCUMULATION_SIGNALS_1, &TEMPORAL_ACCUMULATION_SIGNALS_2, &TEMPORAL_UPSCALE_FLOAT_0, &TEMPORAL_UPSCALE_FLOAT_1, &TONE_MAP, &UPSAMPLE_NUMBER_0, &UPSAMPLE_NUMBER_1, &VARIANCE_SIGNALS_1, &VARIANCE_SIGNALS_2, &VISIBILITY_ACCUMULATION_MANY_0_COLOUR_0, &VISIBILITY_ACCUMULATION_MANY_0_COLOUR_1, &VISIBILITY_ACCUMULATION_MANY_1_COLOUR_0, &VISIBILITY_ACCUMULATION_MANY_1_COLOUR_1, &VISIBILITY_FILTER_LAST_0_MANY_0_COLOUR_0, &VISIBILITY_FILTER_LAST_1_MANY_0_COLOUR_0, &VISIBILITY_FILTER_LAST_0_MANY_0_COLOUR_1, &VISIBILITY_FILTER_LAST_1_MANY_0_COLOUR_1, &VISIBILITY_FILTER_LAST_0_MANY_1_COLOUR_0, &VISIBILITY_FILTER_LAST_1_MANY_1_COLOUR_0, &VISIBILITY_FILTER_LAST_0_MANY_1_COLOUR_1, &VISIBILITY_FILTER_LAST_1_MANY_1_COLOUR_1, &VISIBILITY_SAMPLES_MANY_0_COLOUR_0, &VISIBILITY_SAMPLES_MANY_0_COLOUR_1, &VISIBILITY_SAMPLES_MANY_1_COLOUR_0, &VISIBILITY_SAMPLES_MANY_1_COLOUR_1, &VOLUME_MOTION_RESOLVE_0, &VOLUME_MOTION_RESOLVE_1, &VOLUME_POINTS, ];
+pub(crate) static ALL: &[&Shader] = &[&ATROUS_SIGNALS_1, &ATROUS_SIGNALS_2, &ATROUS_SIGNALS_1_SPECULAR_1, &BLOCK_DIFFERENCE, &BLOCK_PERCENTILES, &CHANGE_TEST, &CLEAR_CLAIMS, &DEBUG_VIEW, &DEMODULATE_LUMINANCE_0, &DEMODULATE_LUMINANCE_1, &EAW_SIGNALS_1, &EAW_SIGNALS_2, &FILL_HOLES, &FILTER_EXPOSURE, &FIREFLY, &FIREFLY_LIMITS_RETURNING_0, &FIREFLY_LIMITS_RETURNING_1, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1, &GRADIENT, &GRADIENT_ATROUS_RATIO_0, &GRADIENT_ATROUS_RATIO_1, &HISTORY_CONFIDENCE_SOURCE_0, &HISTORY_CONFIDENCE_SOURCE_1, &IMPORT_SURFACE_ID_0, &IMPORT_SURFACE_ID_1, &MODULATE_FLOAT_0, &MODULATE_FLOAT_1, &MODULATE_FLOAT_0_UPSAMPLED_1, &MODULATE_FLOAT_1_UPSAMPLED_1, &PERCENTILE_RULE, &REACTIVE_MASK, &RENDERED_GUIDE_SURFACE_ID_0, &RENDERED_GUIDE_SURFACE_ID_1, &SAMPLE_ALBEDO, &SHADOWED_LIGHT_FLOAT_0, &SHADOWED_LIGHT_FLOAT_1, &SPECULAR_ACCUMULATION, &TEMPORAL_ACCUMULATION_SIGNALS_1, &TEMPORAL_ACCUMULATION_SIGNALS_2, &TEMPORAL_UPSCALE_FLOAT_0, &TEMPORAL_UPSCALE_FLOAT_1, &TEMPORAL_UPSCALE_FLOAT_0_SURFACE_ID_0, &TEMPORAL_UPSCALE_FLOAT_0_SURFACE_ID_1, &TEMPORAL_UPSCALE_FLOAT_1_SURFACE_ID_0, &TEMPORAL_UPSCALE_FLOAT_1_SURFACE_ID_1, &TONE_MAP, &UPSAMPLE_NUMBER_0, &UPSAMPLE_NUMBER_1, &VARIANCE_SIGNALS_1, &VARIANCE_SIGNALS_2, &VISIBILITY_ACCUMULATION_MANY_0_COLOUR_0, &VISIBILITY_ACCUMULATION_MANY_0_COLOUR_1, &VISIBILITY_ACCUMULATION_MANY_1_COLOUR_0, &VISIBILITY_ACCUMULATION_MANY_1_COLOUR_1, &VISIBILITY_FILTER_LAST_0_MANY_0_COLOUR_0, &VISIBILITY_FILTER_LAST_1_MANY_0_COLOUR_0, &VISIBILITY_FILTER_LAST_0_MANY_0_COLOUR_1, &VISIBILITY_FILTER_LAST_1_MANY_0_COLOUR_1, &VISIBILITY_FILTER_LAST_0_MANY_1_COLOUR_0, &VISIBILITY_FILTER_LAST_1_MANY_1_COLOUR_0, &VISIBILITY_FILTER_LAST_0_MANY_1_COLOUR_1, &VISIBILITY_FILTER_LAST_1_MANY_1_COLOUR_1, &VISIBILITY_SAMPLES_MANY_0_COLOUR_0, &VISIBILITY_SAMPLES_MANY_0_COLOUR_1, &VISIBILITY_SAMPLES_MANY_1_COLOUR_0, &VISIBILITY_SAMPLES_MANY_1_COLOUR_1, &VOLUME_MOTION_RESOLVE_0, &VOLUME_MOTION_RESOLVE_1, &VOLUME_POINTS, ];

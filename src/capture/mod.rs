@@ -27,14 +27,15 @@
 //! history. To compare with the engine from the first frame on, call `invalidate` before the first
 //! captured frame.
 //!
-//! The render extent and the set of images must hold for the whole capture; tunables and `instance_transforms` may change.
+//! The render extent, that of the output and the set of images must hold for the whole capture; tunables and
+//! `instance_transforms` may change.
 
 mod channels;
 mod exr_file;
 mod sequence_json;
 
 use crate::contract::texel::Texel;
-use crate::contract::{Declaration, FrameParams, Lifetime, Shape, Tuning};
+use crate::contract::{Declaration, FrameParams, Lifetime, Shape, TexelGrid, Tuning};
 use crate::error::Error;
 use crate::reference::InstanceTransform;
 use ash::vk;
@@ -51,8 +52,8 @@ pub struct InputImage<'a> {
     pub name: &'a str,
     /// Format of the texels.
     pub format: vk::Format,
-    /// The render extent, row by row, tightly packed; of an image with one texel per stratum the
-    /// strata of the render extent.
+    /// The render extent, row by row, tightly packed; of an image with one texel per stratum, or per pixel of light, those of the
+    /// render extent.
     pub texels: &'a [u8],
 }
 
@@ -78,6 +79,8 @@ const TRANSFORMS_ENDING: &str = "_instance_transforms.f32";
 /// The facts that hold for a sequence, known with its first frame.
 struct First {
     extent: [u32; 2],
+    /// Of the picture that is shown, where it has one of its own.
+    output: Option<[u32; 2]>,
     images: Vec<String>,
     tuning: Tuning,
 }
@@ -94,16 +97,9 @@ impl SequenceWriter {
     /// Makes the folder where there is none, and proves that files can be made in it.
     ///
     /// # Errors
-    /// [`Error::Capture`] for a folder that cannot be written or that holds a sequence already, and for light of fewer pixels
-    /// than the guides.
+    /// [`Error::Capture`] for a folder that cannot be written or that holds a sequence already.
     pub fn new(folder: impl AsRef<Path>, declaration: &Declaration) -> Result<Self, Error> {
         let folder = folder.as_ref().to_owned();
-        let setup = declaration.setup();
-        if let Some(light) = setup.light_extent.filter(|light| *light != setup.allocated_extent) {
-            let problem =
-                format!("Config::light_extent is {light:?}, and the images of a capture have one size; capture without it");
-            return Err(Error::Capture { path: folder, problem });
-        }
         exr_file::prepare(&folder)?;
         Ok(Self { folder, declaration: declaration.clone(), first: None, frames: BTreeMap::new() })
     }
@@ -148,10 +144,15 @@ impl SequenceWriter {
             exr_file::write_whole(&file(TRANSFORMS_ENDING), Existing::Kept, &bytes)?;
         }
         exr_file::write(&file(".exr"), params.render_extent, layers)?;
-        let first = self.first.get_or_insert(First { extent: params.render_extent, images: names, tuning: *tuning });
+        let setup = self.declaration.setup();
+        let (light, output) = (setup.light_of(params.render_extent), params.output_extent.or(setup.output_extent));
+        let light = (setup.light_ratio() != [1; 2]).then_some(light);
+        let extents = [("light_extent", light), ("output_extent", output)];
+        let first = self.first.get_or_insert(First { extent: params.render_extent, output, images: names, tuning: *tuning });
         let text =
             |error: serde_json::Error| Error::Capture { path: file(".exr"), problem: format!("cannot be described: {error}") };
-        let head = Head::new(self.declaration.config(), &self.declaration.setup().conventions, &first.tuning).map_err(text)?;
+        let head = Head::new(self.declaration.config(), extents, &self.declaration.setup().conventions, &first.tuning);
+        let head = head.map_err(text)?;
         let entry = sequence_json::frame([number, index], params, tuning, &first.tuning).map_err(text)?;
         self.frames.insert(number, entry);
         let text = head.with_frames(self.frames.values());
@@ -187,6 +188,14 @@ impl SequenceWriter {
             );
             return Err(self.error(problem));
         }
+        let output = params.output_extent.or(self.declaration.setup().output_extent);
+        if output != first.output {
+            let problem = format!(
+                "frame {number} has an output of {output:?} pixels, the first had {:?}; a sequence has one: hold the size while capturing",
+                first.output
+            );
+            return Err(self.error(problem));
+        }
         if names != first.images {
             let problem = format!(
                 "frame {number} has the images {}, the first had {}; bind the same inputs in every captured frame",
@@ -213,13 +222,13 @@ impl SequenceWriter {
             let needed = format!("{needed} ({width}x{height} texels of {bytes} bytes)");
             return Err(Error::Size { resource: name.to_owned(), given: format!("{} bytes", image.texels.len()), needed });
         }
-        // All channels of a file have one size: what has a texel per stratum stands in the top left
-        // corner.
-        let row = width as usize * bytes;
-        let mut texels = vec![0; extent[0] as usize * extent[1] as usize * bytes];
-        for (to, from) in texels.chunks_exact_mut(extent[0] as usize * bytes).zip(image.texels.chunks_exact(row)) {
-            to[..row].copy_from_slice(from);
-        }
+        // All channels of a file have one size: what has a texel per stratum stands in the top left corner, and a pixel of light in
+        // each rendered pixel of its cell.
+        let ratio = match texels {
+            TexelGrid::Light(1) => self.declaration.setup().light_ratio(),
+            _ => [1; 2],
+        };
+        let texels = in_cells(image.texels, [width, height], bytes, extent, ratio);
         let planes = texel.planes(&texels);
         let coloured = self.declaration.find("visibility_history_colours").is_some();
         let conventions = &self.declaration.setup().conventions;
@@ -229,6 +238,21 @@ impl SequenceWriter {
     pub(crate) fn error(&self, problem: String) -> Error {
         Error::Capture { path: self.folder.clone(), problem }
     }
+}
+
+/// Texels of an image of a size in the top left of a larger one, each as often as its cell is wide and high.
+fn in_cells(texels: &[u8], [width, height]: [u32; 2], bytes: usize, extent: [u32; 2], ratio: [u32; 2]) -> Vec<u8> {
+    let mut all = vec![0; extent[0] as usize * extent[1] as usize * bytes];
+    for (y, row) in all.chunks_exact_mut(extent[0] as usize * bytes).enumerate() {
+        for (x, to) in row.chunks_exact_mut(bytes).enumerate() {
+            let from = [x as u32 / ratio[0], y as u32 / ratio[1]];
+            if from[0] < width && from[1] < height {
+                let at = (from[1] as usize * width as usize + from[0] as usize) * bytes;
+                to.copy_from_slice(&texels[at..at + bytes]);
+            }
+        }
+    }
+    all
 }
 
 fn refused_format(name: &str, given: vk::Format) -> Error {

@@ -22,6 +22,9 @@ struct Frame {
     /// Left out where no place is known.
     #[serde(skip_serializing_if = "Option::is_none")]
     lights: Option<[[f64; 4]; 4]>,
+    /// Left out where it is the first pixel of its cell.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    offset: Option<[u32; 2]>,
     tuning: BTreeMap<&'static str, f64>,
     view: [[f64; 4]; 4],
     proj: [[f64; 4]; 4],
@@ -58,6 +61,7 @@ pub(super) fn frame([number, index]: [u64; 2], params: &FrameParams, tuning: &Tu
         reset: params.reset.map_or(Reset::No(false), Reset::Reason),
         reshaded: params.reshaded,
         lights: (params.lights != [[0.0; 4]; 4]).then(|| params.lights.map(|light| light.map(f64::from))),
+        offset: (params.light_offset != [0; 2]).then_some(params.light_offset),
         tuning: tunables(tuning, Some(first)),
         view: rows(&params.view_from_world),
         proj: rows(&params.clip_from_view),
@@ -73,7 +77,13 @@ pub(super) struct Head {
 
 impl Head {
     /// `config`: that of a preset; a graph of a host has none, and a replay chooses a preset.
-    pub(crate) fn new(config: Option<&Config>, conventions: &Conventions, tuning: &Tuning) -> Result<Self, Error> {
+    /// `extents`: sizes of light and output, where they have some of their own.
+    pub(crate) fn new(
+        config: Option<&Config>,
+        extents: [(&str, Option<[u32; 2]>); 2],
+        conventions: &Conventions,
+        tuning: &Tuning,
+    ) -> Result<Self, Error> {
         let mut fields: Map<String, Value> = match config {
             // Defaults may change, and a replay must not.
             Some(config) => serde_json::from_value(serde_json::to_value(Config { levels: Some(config.levels()), ..*config })?)?,
@@ -81,6 +91,7 @@ impl Head {
         };
         // Signals and guides a replay sees by the channels.
         fields.retain(|name, _| Config::FIELDS.iter().any(|field| field.is_of_filter && field.name == name));
+        fields.extend(extents.into_iter().filter_map(|(name, extent)| Some((name.to_owned(), extent?.to_vec().into()))));
         Ok(Self {
             config: serde_json::to_string(&fields)?,
             conventions: serde_json::to_string(conventions)?,

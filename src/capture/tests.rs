@@ -202,7 +202,10 @@ fn written_now(folder: &Path) -> String {
 #[test]
 fn a_capture_names_its_preset_and_every_number() {
     let (config, tuning) = (Config::new(EXTENT), Tuning::default());
-    let text = sequence_json::Head::new(Some(&config), &config.conventions, &tuning).expect("JSON").with_frames([]);
+    let text =
+        sequence_json::Head::new(Some(&config), [("light_extent", None), ("output_extent", None)], &config.conventions, &tuning)
+            .expect("JSON")
+            .with_frames([]);
     let written: serde_json::Value = serde_json::from_str(&text).expect("JSON");
     assert_eq!(written["config"]["preset"], config.preset.name(), "{text}");
     assert_eq!(written["tuning"].as_object().map(|numbers| numbers.len()), Some(Tuning::FIELDS.len()), "{text}");

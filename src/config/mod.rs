@@ -100,15 +100,9 @@ impl Config {
     /// [`Error::Extent`], [`Error::Config`] or [`Error::Conventions`] for the first field that is out of range.
     pub fn validate(&self) -> Result<(), Error> {
         check_extent("Config::allocated_extent", self.allocated_extent)?;
-        check_output_extent(self.output_extent, self.allocated_extent)?;
+        check_output_extent("Config::output_extent", self.output_extent, self.allocated_extent)?;
         check_light_extent(self.light_extent, self.allocated_extent)?;
         check_image_extent(&self.setup())?;
-        let whole = [("volume", self.has_volume()), ("reactive_mask", self.reactive_mask)];
-        if let Some((light, (needs, _))) = self.light_extent.zip(whole.into_iter().find(|(_, is_asked)| *is_asked)) {
-            if light != self.allocated_extent {
-                return Err(Error::WholeLight { needs, light });
-            }
-        }
         let ranges = [
             ("frames_in_flight", self.frames_in_flight, 1, 8),
             ("levels", self.levels(), 1, 10),
@@ -145,13 +139,13 @@ pub(crate) fn check_extent(what: &'static str, given: [u32; 2]) -> Result<(), Er
 const LARGEST_RATIO: u32 = 3;
 
 /// Checks the output of a picture of so many pixels.
-pub(crate) fn check_output_extent(output: Option<[u32; 2]>, rendered: [u32; 2]) -> Result<(), Error> {
+pub(crate) fn check_output_extent(what: &'static str, output: Option<[u32; 2]>, rendered: [u32; 2]) -> Result<(), Error> {
     let Some(output) = output else { return Ok(()) };
-    check_extent("Config::output_extent", output)?;
+    check_extent(what, output)?;
     let fits = |i: usize| (rendered[i]..=rendered[i] * LARGEST_RATIO).contains(&output[i]);
     match fits(0) && fits(1) {
         true => Ok(()),
-        false => Err(Error::OutputExtent { output, rendered }),
+        false => Err(Error::OutputExtent { what, output, rendered }),
     }
 }
 

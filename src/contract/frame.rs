@@ -82,6 +82,10 @@ pub struct FrameParams {
     /// them. It may differ from frame to frame. Default: 0, 0.
     #[cfg_attr(feature = "serde", serde(default))]
     pub viewport_origin: [u32; 2],
+    /// Pixels of the picture that you show, anchored top left: at most [`crate::Config::output_extent`], 1 to 3 times the render
+    /// extent. It may differ from frame to frame, and resets nothing. None: all of them. Default: none.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub output_extent: Option<[u32; 2]>,
 }
 
 /// The exposure ratio of a file that has none.
@@ -108,6 +112,7 @@ impl FrameParams {
             lights: [[0.0; 4]; 4],
             light_offset: [0; 2],
             viewport_origin: [0; 2],
+            output_extent: None,
         }
     }
 
@@ -116,7 +121,11 @@ impl FrameParams {
         if (0..2).any(|i| self.render_extent[i] > setup.allocated_extent[i]) {
             return Err(Error::RenderExtent { render: self.render_extent, allocated: setup.allocated_extent });
         }
-        check_output_extent(setup.output_extent, self.render_extent)?;
+        check_output_extent("FrameParams::output_extent", self.output_extent.or(setup.output_extent), self.render_extent)?;
+        let (output, allocated) = (setup.output_of(self), setup.largest_output());
+        if (0..2).any(|i| output[i] > allocated[i]) {
+            return Err(Error::FrameOutput { output, allocated });
+        }
         let ratio = setup.light_ratio();
         check_light_extent(setup.light_extent.map(|_| setup.light_of(self.render_extent)), self.render_extent)?;
         if (0..2).any(|i| self.light_offset[i] >= ratio[i]) {
@@ -164,7 +173,7 @@ pub struct FrameContext {
     pub slot: u32,
     /// The render extent: [`FrameParams::render_extent`].
     pub render_extent: [u32; 2],
-    /// Pixels of the picture that you show: [`crate::Config::output_extent`], or the render extent.
+    /// Pixels of the picture that you show: [`FrameParams::output_extent`].
     pub output_extent: [u32; 2],
     /// The reason why history is dropped in this frame, if it is.
     pub reset: Option<ResetReason>,
@@ -273,8 +282,8 @@ fn constants(setup: &Setup, now: &FrameParams, before: &FrameParams, index: u64,
         previous_lights: std::array::from_fn(|i| {
             from_eye(if before.lights[i] == UNKNOWN { now.lights[i] } else { before.lights[i] }, eye)
         }),
-        output_extent: setup.output_of(now.render_extent),
-        previous_output_extent: setup.output_of(before.render_extent),
+        output_extent: setup.output_of(now),
+        previous_output_extent: setup.output_of(before),
         guide_extent: now.render_extent,
         previous_guide_extent: before.render_extent,
         guide_jitter: now.jitter,

@@ -82,7 +82,7 @@ impl TexelGrid {
         match self {
             Self::Rendered(side) => rendered.map(|pixels| pixels.div_ceil(side.max(1))),
             Self::Light(side) => setup.light_of(rendered).map(|pixels| pixels.div_ceil(side.max(1))),
-            Self::Output => setup.output_of(rendered),
+            Self::Output => setup.output_extent.unwrap_or(rendered),
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Settings that are fixed for every frame of a denoiser.
 
+use super::FrameParams;
 use crate::config::{check_extent, check_image_extent, check_light_extent, check_output_extent, Config, Conventions};
 use crate::error::Error;
 
@@ -36,7 +37,7 @@ impl Setup {
     /// [`Error::Extent`], [`Error::Config`] or [`Error::Conventions`] for the first field that is out of range.
     pub fn validate(&self) -> Result<(), Error> {
         check_extent("Config::allocated_extent", self.allocated_extent)?;
-        check_output_extent(self.output_extent, self.allocated_extent)?;
+        check_output_extent("Config::output_extent", self.output_extent, self.allocated_extent)?;
         check_light_extent(self.light_extent, self.allocated_extent)?;
         check_image_extent(self)?;
         let (given, min, max) = (self.frames_in_flight, 1, MAX_FRAMES_IN_FLIGHT);
@@ -69,8 +70,8 @@ impl Setup {
     }
 
     /// The output of a frame.
-    pub(crate) fn output_of(&self, render_extent: [u32; 2]) -> [u32; 2] {
-        self.output_extent.unwrap_or(render_extent)
+    pub(crate) fn output_of(&self, frame: &FrameParams) -> [u32; 2] {
+        frame.output_extent.or(self.output_extent).unwrap_or(frame.render_extent)
     }
 }
 

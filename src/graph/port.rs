@@ -270,8 +270,18 @@ pub struct Guides {
 /// Guides of every rendered pixel, of which [`Guides`] has those of the pixels with light.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RenderedGuides {
+    /// Of [`super::Graph::rendered_guide`], which adds the pass that writes it.
     pub guide: Image,
-    pub surface_motion: Image,
+    pub motion: Motion,
+}
+
+/// Where the motion of rendered pixels is.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Motion {
+    /// In the image that the filters read.
+    Stored(Image),
+    /// In the images of the host, with or without its `surface_id`: no image has that of all pixels.
+    Host { surface_id: bool },
 }
 
 /// The history that the next frame accumulates onto: colour and moments of luminance of every signal.

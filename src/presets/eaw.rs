@@ -24,10 +24,7 @@ pub fn eaw(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
             let specular = g.eaw(guides, &irradiance, Eaw { levels, weights, sampling, ..Eaw::default() });
             sum(g, guides, config, &filtered, &specular)
         }
-        _ => {
-            let filtered = g.upsample(guides, &filtered);
-            g.modulate(guides, &filtered, modulate(config))
-        }
+        _ => g.modulate(guides, &filtered, modulate(config)),
     };
     Denoised { radiance, intermediates: Intermediates { usual, ..Intermediates::new(&noisy) } }
 }

@@ -82,7 +82,6 @@ pub(super) fn modulated(
     parameters: Specular,
 ) -> (Radiance, Option<Reflection>) {
     if config.signals != Signals::Specular {
-        let filtered = g.upsample(guides, &filtered);
         return (g.modulate(guides, &filtered, modulate(config)), None);
     }
     let (reflected, reflection) = specular(g, guides, config, parameters);
@@ -92,7 +91,6 @@ pub(super) fn modulated(
 /// Radiance of diffuse and specular irradiance.
 pub(super) fn sum(g: &mut Graph, guides: &Guides, config: &Config, diffuse: &Irradiance, specular: &Irradiance) -> Radiance {
     let both = g.pair(diffuse, specular);
-    let both = g.upsample(guides, &both);
     g.modulate(guides, &both, Modulate { specular: true, ..modulate(config) })
 }
 

@@ -25,8 +25,7 @@ pub fn stabilize(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
     let variance = Variance { estimator: Estimator::Temporal, ..Variance::default() };
     let estimate = g.variance(guides, &accumulated, &history, variance);
-    let irradiance = g.upsample(guides, &estimate.into());
-    let radiance = g.modulate(guides, &irradiance, modulate(config));
+    let radiance = g.modulate(guides, &estimate.into(), modulate(config));
     let intermediates = Intermediates {
         history: Some(history),
         confidence: Some(change.confidence),

@@ -27,6 +27,7 @@ pub fn volume(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let estimate = g.volume_variance(guides, &accumulated, &history);
     let atrous = VolumeAtrous { levels: config.levels().max(2), feedback: Some(history), keeps_exposure: config.float_output };
     let filtered: Radiance = g.volume_atrous(guides, &estimate, atrous).into();
+    let filtered = g.upsample_volume(guides, &filtered);
     // Its levels are of halves, and those hold it in the exposure of the filter alone.
     let modulate = Modulate { albedo: false, emission: false, float_output: true, ..Modulate::default() };
     let radiance = if config.float_output { g.modulate(guides, &filtered.cast(), modulate) } else { filtered };

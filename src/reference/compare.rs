@@ -8,6 +8,7 @@ use super::octahedral::octahedral10_to_normal;
 use super::reflection::{unpack_image_share, unpack_reflection};
 use super::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
 use super::texels::Texels;
+use super::upscale_history::unpack_upscale_history;
 use super::visibility::unpack_visibility;
 use crate::nodes::block_difference::twin::unpack_difference;
 use glam::IVec2;
@@ -43,6 +44,8 @@ pub(crate) enum Reading {
     SurfaceMotion,
     /// The normal of `surface_motion`. All bits 0, which stand where there is no surface, are one of four ways to say −z.
     PreviousNormal,
+    /// Even light, root of the weight and depth of `upscale_history`.
+    UpscaleHistory,
     /// Both slopes.
     DepthGradient,
     /// A packed normal.
@@ -87,6 +90,8 @@ pub(crate) enum Condition {
     Is(&'static str, u32),
     /// Passes whose specialisation constant has another value.
     IsNot(&'static str, u32),
+    /// Passes whose specialisation constants are both off.
+    Neither([&'static str; 2]),
 }
 
 /// The rule by which one binding that a stage writes is compared.
@@ -115,6 +120,7 @@ impl Rule {
             Condition::Always => true,
             Condition::Is(name, wanted) => value(name) == Some(wanted),
             Condition::IsNot(name, other) => value(name) != Some(other),
+            Condition::Neither(names) => names.iter().all(|name| value(name) != Some(1)),
         }
     }
 
@@ -217,6 +223,10 @@ impl Reading {
                 padded([m.motion[0], m.motion[1], m.depth_ratio])
             }
             Self::PreviousNormal => padded(unpack_surface_motion(texel).previous_normal),
+            Self::UpscaleHistory => {
+                let kept = unpack_upscale_history(texel);
+                padded([kept.even.x, kept.even.y, kept.even.z, kept.weight.sqrt(), kept.depth])
+            }
             Self::LuminanceHistory => {
                 let m = unpack_luminance_history(texel);
                 padded([m.mean, m.deviation, m.history_length, m.reason.into()])

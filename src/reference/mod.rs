@@ -52,6 +52,7 @@ pub(crate) mod surface_motion;
 #[cfg(test)]
 pub(crate) mod test_scene;
 pub(crate) mod texels;
+pub(crate) mod upscale_history;
 pub(crate) mod virtual_motion;
 pub(crate) mod visibility;
 pub(crate) mod volume;

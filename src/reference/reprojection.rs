@@ -10,6 +10,11 @@ use glam::{IVec2, Vec2, Vec3, Vec4, Vec4Swizzles};
 /// World space of the previous frame from world space of this one: three rows of four, so that `previous = rows · (x, y, z, 1)`.
 pub type InstanceTransform = [[f32; 4]; 3];
 
+/// The transform of an instance; none: it did not move.
+pub(crate) fn transform_of(transforms: &[InstanceTransform], id: u32) -> Option<&InstanceTransform> {
+    transforms.get(id as usize).filter(|transform| transform.iter().flatten().all(|x| x.is_finite()))
+}
+
 /// Motion of one pixel as the host gives it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct HostMotion<'a> {

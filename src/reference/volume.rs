@@ -1,14 +1,18 @@
 //! The distance that one sees through a pixel of a volume, which is all that its filters know of it. Normals and ids of surfaces
 //! mean nothing to them.
 
-use super::guide::unpack_guide;
+use super::guide::{unpack_guide, Surface};
 
 /// Depth where nothing is hit: beyond every surface, and finite.
 const FAR: f32 = 1e30;
 
 /// The distance that one sees in a pixel of the guide.
 pub(crate) fn volume_depth(texel: [u16; 4]) -> f32 {
-    let surface = unpack_guide(texel);
+    sight(&unpack_guide(texel))
+}
+
+/// The distance that one sees up to a surface.
+pub(crate) fn sight(surface: &Surface) -> f32 {
     if surface.is_background() {
         FAR
     } else {
@@ -23,7 +27,7 @@ pub(crate) fn relative_difference(a: f32, b: f32) -> f32 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{pack_guide, test_scene::surface, Surface};
+    use super::super::{pack_guide, test_scene::surface};
     use super::*;
 
     #[test]

@@ -45,6 +45,8 @@ fn add_declarations(all: &mut Vec<Declaration>, declare: fn(&Config) -> Declarat
             all.push(declare(&Config { visibility: 1, ..config }));
             all.push(declare(&Config { visibility: 1, light_extent: Some([32, 36]), ..config }));
             all.push(declare(&Config { reactive_mask: true, ..config }));
+            let half = Config { light_extent: Some([32, 18]), float_output: true, ..config };
+            all.push(declare(&Config { volume: true, reactive_mask: true, ..half }));
             all.push(declare(&Config { visibility: 1, coloured_visibility: true, ..config }));
             all.push(declare(&Config { visibility: 3, ambient_occlusion: true, ..config }));
             all.push(declare(&Config { visibility: 4, coloured_visibility: true, ..config }));
@@ -124,8 +126,9 @@ fn what_stands_in_for_a_binding_is_always_there_and_of_its_kind() {
 /// Holds names of bindings to those of the resources at them, but for signals by number, ports of filters and images in place.
 #[test]
 fn names_of_bindings_match_those_of_resources() {
-    const RENAMED: [(&str, &[&str]); 31] = [
+    const RENAMED: [(&str, &[&str]); 32] = [
         ("frame", &["frame_constants"]),
+        ("rendered_guide", &["guide"]),
         ("input", &["irradiance", "filled_irradiance", "accumulated", "atrous_", "denoised_volume"]),
         ("output", &["atrous_", "irradiance_history", "denoised_volume"]),
         ("irradiance", &["filled_irradiance", "accumulated"]),

@@ -115,6 +115,7 @@ fn params(dice: &mut Dice, config: &Config, frame: u32) -> FrameParams {
     FrameParams {
         light_offset: [0; 2],
         viewport_origin: [0; 2],
+        output_extent: None,
         frame_slot: frame % config.frames_in_flight,
         reset: (dice.below(8) == 0).then(|| dice.one_of(&ResetReason::ALL)),
         render_extent: if dice.coin() { [width, height] } else { [1 + dice.below(width), 1 + dice.below(height)] },

@@ -140,6 +140,12 @@ pub const TESTS: &[DeviceTest] = &[
     ("light_of_a_rect_in_a_larger_image", || light::sequence_of(&light::half([64, 40]), [38, 22])),
     ("light_with_visibility", || light::sequence(&Config { visibility: 1, debug_view: true, ..light::half([40, 24]) })),
     ("light_of_every_preset", light::every_preset),
+    ("light_with_a_volume", || light::sequence(&Config { volume: true, ..light::half([40, 24]) })),
+    ("light_of_a_volume", || light::sequence(&Config { preset: Preset::Volume, ..light::half([40, 24]) })),
+    ("light_with_a_mask", || light::sequence(&Config { reactive_mask: true, surface_id: false, ..light::half([40, 24]) })),
+    ("light_with_several_lights", || {
+        light::sequence(&Config { visibility: 3, coloured_visibility: true, ..light::half([40, 24]) })
+    }),
     ("holes", holes),
     ("best_with_holes", best::with_holes),
 ];

@@ -769,6 +769,9 @@ typedef struct AtrousFrameParams {
   uint32_t light_offset[2];
   // With AtrousConfig.image_extent, the pixel of your images at which this picture begins.
   uint32_t viewport_origin[2];
+  // Width and height of the picture that you show, anchored top left: at most AtrousConfig.output_extent, and 1 to 3 times what is
+  // rendered. They may differ from frame to frame. 0, 0: all of it.
+  uint32_t output_extent[2];
 } AtrousFrameParams;
 
 // A buffer for a name.

@@ -77,6 +77,7 @@ impl AtrousFrameParams {
             lights: matrix(self.lights),
             light_offset: self.light_offset,
             viewport_origin: self.viewport_origin,
+            output_extent: (self.output_extent != [0; 2]).then_some(self.output_extent),
             ..FrameParams::new([self.render_width, self.render_height])
         })
     }
@@ -100,6 +101,7 @@ impl AtrousFrameParams {
             lights: [0.0; 16],
             light_offset: [0; 2],
             viewport_origin: [0; 2],
+            output_extent: [0; 2],
         }
     }
 }

@@ -132,6 +132,9 @@ pub struct AtrousFrameParams {
     pub light_offset: [u32; 2],
     /// With AtrousConfig.image_extent, the pixel of your images at which this picture begins.
     pub viewport_origin: [u32; 2],
+    /// Width and height of the picture that you show, anchored top left: at most AtrousConfig.output_extent, and 1 to 3 times what is
+    /// rendered. They may differ from frame to frame. 0, 0: all of it.
+    pub output_extent: [u32; 2],
 }
 
 /// A frame that was begun. Plain data: copy it as you like.

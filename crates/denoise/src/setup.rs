@@ -115,6 +115,7 @@ impl Setup {
         config.gradient_source = gradient_source(mapping);
         if let Some(file) = &self.sequence {
             file.config.apply(&mut config);
+            config.output_extent = options.output_size.or(config.output_extent);
         }
         let captured = self.sequence.as_ref().and_then(|file| file.config.preset);
         config.preset = options.preset.or(captured).unwrap_or_default();
@@ -216,7 +217,9 @@ impl Setup {
 
     /// The pixel of each cell that the light of a frame was traced for.
     pub fn light_offset(&self, number: u64) -> [u32; 2] {
-        self.light.as_ref().and_then(|file| file.cameras.get(&number)).map_or([0; 2], |camera| camera.offset)
+        let beside_light = self.light.as_ref().map(|file| file.cameras.get(&number));
+        // A capture has light and guides in one file.
+        beside_light.unwrap_or_else(|| self.camera(number)).map_or([0; 2], |camera| camera.offset)
     }
 
     /// Pixels of a frame.

@@ -5,8 +5,8 @@
 pub(crate) mod twin;
 
 use super::pass;
-use crate::contract::{Grid, Input, Lifetime, Phase, TexelGrid};
-use crate::graph::{Graph, Guides, RenderedGuides, PACKED_32, PACKED_64};
+use crate::contract::{Input, Lifetime, Phase};
+use crate::graph::{Graph, Guides, Motion, RenderedGuides, PACKED_32, PACKED_64};
 use crate::shaders;
 
 /// Parameters of the node `import`. [`Graph::conventions`] has the encodings of your images.
@@ -34,22 +34,23 @@ impl Graph {
     /// `object_normal`, optional `albedo`.
     pub fn import(&mut self, import: Import) -> Guides {
         let node = self.node("import", "");
-        // The names without it are those of the light, which the filters read.
-        let prefix = if self.has_light_extent() { "rendered_" } else { "" };
-        let made = self.guide_images(prefix, TexelGrid::Rendered(1), import.object_normal);
+        let guide = self.named_image("guide", "", PACKED_64, 1, Lifetime::Transient);
+        let surface_motion = self.named_image("surface_motion", "", PACKED_64, 1, Lifetime::Transient);
+        let depth_gradient = self.named_image("depth_gradient", "", PACKED_32, 1, Lifetime::Transient);
+        let object_normal =
+            import.object_normal.then(|| self.named_image("object_normal_guide", "", PACKED_32, 1, Lifetime::Transient));
         let module = [&shaders::IMPORT_SURFACE_ID_0, &shaders::IMPORT_SURFACE_ID_1][usize::from(import.surface_id)];
         let mut pass = pass(&node, module)
             .phase(Phase::BeforeLighting)
-            .grid(Grid::Guides)
             .bind("depth", self.input(Input::DEPTH))
             .bind("normal", self.input(Input::NORMAL))
             .bind("motion", self.input(Input::MOTION))
             .bind("roughness", self.input(Input::ROUGHNESS))
             .bind("instance_transforms", self.input(Input::INSTANCE_TRANSFORMS))
-            .bind("guide", made.guide)
-            .bind("surface_motion", made.surface_motion)
-            .bind("depth_gradient", made.depth_gradient)
-            .bind_some("object_normal_guide", made.object_normal);
+            .bind("guide", guide)
+            .bind("surface_motion", surface_motion)
+            .bind("depth_gradient", depth_gradient)
+            .bind_some("object_normal_guide", object_normal);
         if import.surface_id {
             pass = pass.bind("surface_id", self.input(Input::SURFACE_ID));
         }
@@ -60,28 +61,12 @@ impl Graph {
             pass = pass.bind("object_normal", self.input(Input::OBJECT_NORMAL));
         }
         self.add(pass);
-        let rendered = self.refreshed_guides(made);
-        self.light_guides(rendered)
-    }
-
-    /// Images of guides, which are those of every rendered pixel.
-    pub(super) fn guide_images(&mut self, prefix: &str, texels: impl Into<TexelGrid>, object_normal: bool) -> Guides {
-        let texels = texels.into();
-        let mut image = |name: &str, format| self.named_image(&format!("{prefix}{name}"), "", format, texels, Lifetime::Transient);
-        let guide = image("guide", PACKED_64);
-        let surface_motion = image("surface_motion", PACKED_64);
-        let depth_gradient = image("depth_gradient", PACKED_32);
-        let object_normal = object_normal.then(|| image("object_normal_guide", PACKED_32));
-        let rendered = RenderedGuides { guide, surface_motion };
-        Guides { guide, surface_motion, depth_gradient, object_normal, rendered }
-    }
-
-    /// Guides with the content that they have now.
-    pub(super) fn refreshed_guides(&self, made: Guides) -> Guides {
-        let [guide, surface_motion, depth_gradient] =
-            [made.guide, made.surface_motion, made.depth_gradient].map(|image| self.refreshed(image));
-        let object_normal = made.object_normal.map(|image| self.refreshed(image));
-        let rendered = RenderedGuides { guide, surface_motion };
+        let [guide, surface_motion, depth_gradient] = [guide, surface_motion, depth_gradient].map(|image| self.refreshed(image));
+        let object_normal = object_normal.map(|image| self.refreshed(image));
+        let rendered = match self.has_light_extent() {
+            true => self.rendered_guides(import),
+            false => RenderedGuides { guide, motion: Motion::Stored(surface_motion) },
+        };
         Guides { guide, surface_motion, depth_gradient, object_normal, rendered }
     }
 }

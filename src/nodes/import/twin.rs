@@ -9,14 +9,14 @@ use crate::reference::guide::{fold_id, pack_guide, Surface};
 use crate::reference::octahedral::{decode_normal, octahedral10};
 use crate::reference::projection::Projections;
 use crate::reference::reflection::{is_roughness, roughness_of};
-use crate::reference::reprojection::{previous_normal, reproject, HostMotion, InstanceTransform};
+use crate::reference::reprojection::{previous_normal, reproject, transform_of, HostMotion, InstanceTransform};
 use crate::reference::rules::{rule, STATISTICS, STEP};
 use crate::reference::statistics::count;
 use crate::reference::surface_motion::{pack_depth_gradient, pack_surface_motion};
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Counter, Statistics};
 use crate::{Error, FrameConstants};
-use glam::{IVec2, Vec3};
+use glam::{IVec2, UVec2, Vec2, Vec3};
 
 #[cfg(test)]
 mod motion_tests;
@@ -70,8 +70,7 @@ impl ImportInputs<'_> {
     }
 
     fn transform(&self, id: Option<u32>) -> Option<&InstanceTransform> {
-        let transform = self.instance_transforms?.get(id? as usize)?;
-        transform.iter().flatten().all(|x| x.is_finite()).then_some(transform)
+        transform_of(self.instance_transforms?, id?)
     }
 }
 
@@ -95,46 +94,50 @@ struct Texel {
     guide: [u16; 4],
     surface_motion: [u16; 4],
     depth_gradient: u32,
+    is_depth_bad: bool,
     is_normal_bad: bool,
     is_roughness_bad: bool,
     is_motion_bad: bool,
 }
 
-/// Imports the host's guides of one frame.
+/// Imports the host's guides of one frame: for each pixel of light those of the pixel that it was traced for.
 pub(crate) fn import(frame: &FrameConstants, inputs: &ImportInputs) -> ImportOutputs {
-    let (extent, render_extent) = (inputs.depth.extent(), frame.render_extent);
-    let projections = Projections::new(frame);
-    let depths = Image::compute(extent, render_extent, |p| {
+    let (guides, of_guides) = (inputs.depth.extent(), frame.of_guides());
+    let extent = [0, 1].map(|i| guides[i] / frame.light_ratio[i]);
+    let projections = Projections::new(&of_guides);
+    let depths = Image::compute(guides, of_guides.render_extent, |p| {
         projections.linear_depth(p.into(), inputs.depth.at(p)[0], frame.background_depth)
     });
-    let texels = Image::compute(extent, render_extent, |p| texel(frame, inputs, &projections, &depths, p));
+    let texels = Image::compute(extent, frame.render_extent, |p| texel(frame, inputs, &projections, &depths, frame.guide_pixel(p)));
     let mut statistics = Statistics::default();
-    statistics[Counter::Depth] = count(depths.texels().iter().map(|d| d.1));
+    statistics[Counter::Depth] = count(texels.texels().iter().map(|t| t.is_depth_bad));
     statistics[Counter::Normal] = count(texels.texels().iter().map(|t| t.is_normal_bad));
     statistics[Counter::Roughness] = count(texels.texels().iter().map(|t| t.is_roughness_bad));
     statistics[Counter::Motion] = count(texels.texels().iter().map(|t| t.is_motion_bad));
+    let object_normal_of =
+        |normals: &Image<[f32; 4]>, p: IVec2| octahedral10(object_normal(normals.at(frame.guide_pixel(p))).to_array());
     ImportOutputs {
         guide: texels.map(|t| t.guide),
         surface_motion: texels.map(|t| t.surface_motion),
         depth_gradient: texels.map(|t| t.depth_gradient),
         object_normal_guide: inputs
             .object_normal
-            .map(|normals| Image::compute(extent, render_extent, |p| octahedral10(object_normal(normals.at(p)).to_array()))),
+            .map(|normals| Image::compute(extent, frame.render_extent, |p| object_normal_of(normals, p))),
         statistics,
     }
 }
 
-fn texel(frame: &FrameConstants, inputs: &ImportInputs, projections: &Projections, depths: &Image<(f32, bool)>, p: IVec2) -> Texel {
+/// The surface of a pixel of the guides, with whether its normal and its roughness were bad.
+pub(crate) fn surface_of(
+    frame: &FrameConstants,
+    inputs: &ImportInputs,
+    projections: &Projections,
+    p: IVec2,
+) -> (Surface, bool, bool) {
     let id = inputs.id(p);
-    let linear_depth = if id == Some(0) { 0.0 } else { depths.at(p).0 };
-    let is_background = linear_depth == 0.0;
-    let transform = if is_background { None } else { inputs.transform(id) };
-    let host = HostMotion { texel: inputs.motion.map(|m| m.at(p)), transform };
-    let reprojection = reproject(frame, projections, p, linear_depth, host);
-    let motion = reprojection.motion.to_array();
-    if is_background {
-        // Motion matters in the background as well: temporal anti-aliasing follows the sky.
-        return Texel { surface_motion: pack_surface_motion(motion, None), is_motion_bad: reprojection.is_bad, ..Texel::default() };
+    let (linear_depth, _) = projections.linear_depth(p.into(), inputs.depth.at(p)[0], frame.background_depth);
+    if linear_depth == 0.0 || id == Some(0) {
+        return (Surface::default(), false, false);
     }
     let (normal, is_normal_bad) = world_normal(frame, projections, inputs.normal.at(p));
     let roughness = inputs.roughness.map_or(1.0, |r| r.at(p)[roughness_channel(frame)]);
@@ -146,14 +149,34 @@ fn texel(frame: &FrameConstants, inputs: &ImportInputs, projections: &Projection
         // Id 0 is the background's, so that a host without ids has one surface.
         id: id.map_or(1, fold_id),
     };
-    let expected = previous_normal(normal, transform).to_array();
+    (surface, is_normal_bad, !is_roughness(roughness))
+}
+
+/// The texel of a pixel of the guides, in pixels of light.
+fn texel(frame: &FrameConstants, inputs: &ImportInputs, projections: &Projections, depths: &Image<(f32, bool)>, p: IVec2) -> Texel {
+    let (of_guides, ratio) = (frame.of_guides(), UVec2::from(frame.light_ratio).as_vec2());
+    let (surface, is_normal_bad, is_roughness_bad) = surface_of(&of_guides, inputs, projections, p);
+    let is_depth_bad = depths.at(p).1;
+    let transform = if surface.is_background() { None } else { inputs.transform(inputs.id(p)) };
+    let host = HostMotion { texel: inputs.motion.map(|m| m.at(p)), transform };
+    let reprojection = reproject(&of_guides, projections, p, surface.linear_depth, host);
+    let motion = (reprojection.motion / ratio).to_array();
+    let is_motion_bad = reprojection.is_bad;
+    if surface.is_background() {
+        // Motion matters in the background as well: temporal anti-aliasing follows the sky.
+        let surface_motion = pack_surface_motion(motion, None);
+        return Texel { surface_motion, is_motion_bad, is_depth_bad, ..Texel::default() };
+    }
+    let expected = previous_normal(surface.normal.into(), transform).to_array();
+    let gradient = Vec2::from([IVec2::X, IVec2::Y].map(|axis| depth_difference(&of_guides, depths, p, axis)));
     Texel {
         guide: pack_guide(&surface),
         surface_motion: pack_surface_motion(motion, Some((reprojection.depth_ratio, expected))),
-        depth_gradient: pack_depth_gradient([IVec2::X, IVec2::Y].map(|axis| depth_difference(frame, depths, p, axis))),
+        depth_gradient: pack_depth_gradient((gradient * ratio).to_array()),
+        is_depth_bad,
         is_normal_bad,
-        is_roughness_bad: !is_roughness(roughness),
-        is_motion_bad: reprojection.is_bad,
+        is_roughness_bad,
+        is_motion_bad,
     }
 }
 
@@ -207,10 +230,13 @@ const GUIDE_STEP: Tolerance = Tolerance { absolute: 8e-3, ..STEP };
 
 const MOTION: Tolerance = Tolerance { relative: 1.5e-3, absolute: 2e-3, outliers: 0.0 };
 
+/// A guide of the host's images.
+pub(crate) const GUIDE: Rule = rule("guide", Unit::Pixel, Reading::Guide, GUIDE_STEP);
+
 /// How what it writes is compared with the GPU.
 pub(crate) const RULES: &[Rule] = &[
     STATISTICS,
-    rule("guide", Unit::Pixel, Reading::Guide, GUIDE_STEP),
+    GUIDE,
     rule("surface_motion", Unit::Pixel, Reading::PreviousNormal, Tolerance { absolute: 2e-2, ..STEP }),
     rule("surface_motion", Unit::Pixel, Reading::SurfaceMotion, MOTION),
     rule("depth_gradient", Unit::Pixel, Reading::DepthGradient, MOTION),
@@ -229,7 +255,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         instance_transforms: transforms.as_deref(),
         ..ImportInputs::new(b.colour("depth")?, b.colour("normal")?)
     };
-    let outputs = import(&b.frame.of_guides(), &inputs);
+    let outputs = import(b.frame, &inputs);
     b.count(&outputs.statistics)?;
     b.write("guide", outputs.guide)?;
     b.write("surface_motion", outputs.surface_motion)?;

@@ -6,7 +6,7 @@ pub(crate) mod twin;
 
 use super::pass;
 use crate::contract::{Grid, Input, Lifetime, TexelGrid};
-use crate::graph::{Graph, Guides, Irradiance, Port, Radiance, HDR, WIDE_HDR};
+use crate::graph::{Graph, Guides, Image, Irradiance, Port, Radiance, HDR, WIDE_HDR};
 use crate::shaders;
 
 /// Parameters of the node `modulate`.
@@ -31,24 +31,29 @@ impl Default for Modulate {
 }
 
 impl Graph {
-    /// Radiance of the sum of one or two signals, each with an irradiance for every rendered pixel.
+    /// Radiance of the sum of one or two signals, each with an irradiance for every rendered pixel,
+    /// or for every pixel of the light, which it brings to the rendered ones as [`Self::upsample`] does.
     pub fn modulate(&mut self, guides: &Guides, filtered: &Irradiance, modulate: Modulate) -> Radiance {
         let label = self.label_of(filtered);
         let node = self.node("modulate", &label);
-        let (module, format) = match modulate.float_output {
-            true => (&shaders::MODULATE_FLOAT_1, WIDE_HDR),
-            false => (&shaders::MODULATE_FLOAT_0, HDR),
-        };
-        if filtered.images().iter().any(|image| matches!(self.texels_of(*image), Some(TexelGrid::Light(_)))) {
-            let problem = "it has the pixels of the light, not of the guides; give it to `upsample` first";
+        let is_light = |image: &Image| matches!(self.texels_of(*image), Some(TexelGrid::Light(_)));
+        let gathers = filtered.images().iter().all(is_light);
+        if !gathers && filtered.images().iter().any(is_light) {
+            let problem = "one signal has the pixels of the light, and one those of the guides; give that one to `upsample` first";
             self.fail(&node, "filtered", problem.to_owned());
         }
+        let module = match gathers {
+            true => [&shaders::MODULATE_FLOAT_0_UPSAMPLED_1, &shaders::MODULATE_FLOAT_1_UPSAMPLED_1],
+            false => [&shaders::MODULATE_FLOAT_0, &shaders::MODULATE_FLOAT_1],
+        }[usize::from(modulate.float_output)];
+        let format = if modulate.float_output { WIDE_HDR } else { HDR };
         let denoised = self.named_image("modulated", &label, format, TexelGrid::Rendered(1), Lifetime::Transient);
-        let mut pass = pass(&node, module)
-            .grid(Grid::Guides)
-            .bind("guide", guides.rendered.guide)
-            .bind("denoised_radiance", denoised)
-            .each("filtered", filtered.images());
+        let rendered_guide = self.rendered_guide(guides);
+        let mut pass = pass(&node, module).bind("denoised_radiance", denoised).each("filtered", filtered.images());
+        pass = match gathers {
+            true => pass.bind("guide", guides.guide).bind("rendered_guide", rendered_guide),
+            false => pass.grid(Grid::Guides).bind("guide", rendered_guide),
+        };
         if modulate.albedo {
             pass = pass.bind("albedo", self.input(Input::ALBEDO));
         }

@@ -1,12 +1,13 @@
 //! The stage `modulate`: irradiance multiplied by albedo again, signals summed, emission added \[SVGF 3\].
 
 use crate::nodes::demodulate::twin::{albedo_at, divisor, reflectance};
+use crate::nodes::upsample::twin::{upsample, UpsampleInputs};
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::{Condition, Rule};
 use crate::reference::conventions::is_demodulated;
 use crate::reference::guide::unpack_guide;
 use crate::reference::outgoing::Outgoing;
-use crate::reference::rules::{pixels, rounded, HALF, STATISTICS};
+use crate::reference::rules::{pixels, rounded, HALF, STATISTICS, WEIGHTED};
 use crate::reference::statistics::count;
 use crate::reference::Image;
 use crate::{Counter, Statistics};
@@ -77,15 +78,25 @@ pub(crate) fn modulate(frame: &FrameConstants, inputs: &ModulateInputs) -> Modul
 }
 
 /// How what it writes is compared with the GPU.
-pub(crate) const RULES: &[Rule] =
-    &[STATISTICS, pixels("denoised_radiance", HALF), Rule { when: Condition::IsNot("WIDE", 1), ..rounded("denoised_radiance") }];
+pub(crate) const RULES: &[Rule] = &[
+    STATISTICS,
+    Rule { when: Condition::IsNot("GATHERS", 1), ..pixels("denoised_radiance", HALF) },
+    Rule { when: Condition::Neither(["GATHERS", "WIDE"]), ..rounded("denoised_radiance") },
+    Rule { when: Condition::Is("GATHERS", 1), ..pixels("denoised_radiance", WEIGHTED) },
+];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let specular = b.is_on("SPECULAR")?;
+    let (guide, filtered) = (b.packed("guide")?, b.colours("filtered")?);
+    let rendered = b.optional_packed("rendered_guide")?;
+    let upsampled = rendered.map(|rendered_guide| {
+        upsample(b.frame, &UpsampleInputs { rendered_guide, guide, is_volume: false, filtered: &filtered }, |irradiance| irradiance)
+    });
+    let irradiance = upsampled.as_ref().map_or(filtered, |upsampled| upsampled.iter().collect());
     let inputs = ModulateInputs {
-        guide: b.packed("guide")?,
-        irradiance: &b.colours("filtered")?,
+        guide: rendered.unwrap_or(guide),
+        irradiance: &irradiance,
         albedo: b.optional_colour("albedo")?,
         specular: specular
             .then_some(SpecularAlbedos { albedo: b.optional_colour("specular_albedo")?, f0: b.optional_colour("specular_f0")? }),

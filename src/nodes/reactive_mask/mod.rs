@@ -5,7 +5,7 @@
 pub(crate) mod twin;
 
 use super::pass;
-use crate::contract::{Input, Lifetime};
+use crate::contract::{Grid, Input, Lifetime, TexelGrid};
 use crate::graph::{Confidence, Graph, Guides, History, Port, Radiance, HDR};
 use crate::shaders;
 
@@ -19,8 +19,11 @@ impl Graph {
         confidence: Option<Confidence>,
     ) -> Radiance {
         let node = self.node("reactive_mask", "");
-        let mask = self.named_image("reactive", "", HDR, 1, Lifetime::Transient);
+        let mask = self.named_image("reactive", "", HDR, TexelGrid::Rendered(1), Lifetime::Transient);
+        let rendered_guide = self.rendered_guide(guides);
         let pass = pass(&node, &shaders::REACTIVE_MASK)
+            .grid(Grid::Guides)
+            .bind("rendered_guide", rendered_guide)
             .bind("guide", guides.guide)
             .each("luminance_history", &self.current_luminance_history(history))
             .bind_some("history_confidence", confidence.map(|confidence| confidence.image()))

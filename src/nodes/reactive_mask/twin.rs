@@ -6,12 +6,15 @@ use crate::reference::guide::unpack_guide;
 use crate::reference::luminance::texel_luminance;
 use crate::reference::luminance_history::unpack_luminance_history;
 use crate::reference::rules::{pixels, HALF};
-use crate::reference::Image;
+use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Error, FrameConstants};
+use glam::{IVec2, UVec2};
 
 /// Inputs of [`reactive_mask`]; images have the allocated extent.
 #[derive(Clone, Copy)]
 pub(crate) struct ReactiveInputs<'a> {
+    /// Guides of every rendered pixel.
+    pub rendered_guide: &'a Image<[u16; 4]>,
     /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
     /// `luminance_history*` of every signal.
@@ -26,11 +29,13 @@ pub(crate) struct ReactiveInputs<'a> {
 
 /// Red: share of what is new, green: share of what is emitted, each 0 to 1.
 pub(crate) fn reactive_mask(frame: &FrameConstants, inputs: &ReactiveInputs) -> Image<[f32; 4]> {
-    Image::compute(inputs.guide.extent(), frame.render_extent, |p| {
-        let lengths = inputs.histories.iter().map(|history| unpack_luminance_history(history.at(p)).history_length);
+    Image::compute(inputs.rendered_guide.extent(), frame.guide_extent, |p| {
+        let surface = unpack_guide(inputs.rendered_guide.at(p));
+        let q = light_pixel(frame, inputs.guide, p, surface.linear_depth);
+        let lengths = inputs.histories.iter().map(|history| unpack_luminance_history(history.at(q)).history_length);
         let shortest = lengths.fold(f32::INFINITY, f32::min).max(1.0);
-        let changed = inputs.confidence.map_or(0.0, |confidence| 1.0 - confidence.at(p));
-        let is_surface = !unpack_guide(inputs.guide.at(p)).is_background();
+        let changed = inputs.confidence.map_or(0.0, |confidence| 1.0 - confidence.at(q));
+        let is_surface = !surface.is_background();
         let new = if is_surface { (1.0 / shortest).max(changed).clamp(0.0, 1.0) } else { 0.0 };
         let emission = inputs.emission.map_or([0.0; 4], |emission| emission.at(p));
         let emitted = if emission[..3].iter().all(|c| c.is_finite()) { texel_luminance(emission) } else { 0.0 };
@@ -39,12 +44,25 @@ pub(crate) fn reactive_mask(frame: &FrameConstants, inputs: &ReactiveInputs) -> 
     })
 }
 
+/// Of the 2×2 pixels of light around a rendered pixel the one whose surface is nearest to its depth. With light of every pixel, its own.
+fn light_pixel(frame: &FrameConstants, guide: &Image<[u16; 4]>, p: IVec2, depth: f32) -> IVec2 {
+    if frame.light_ratio == [1; 2] {
+        return p;
+    }
+    let rect = RenderRect::new(frame.render_extent);
+    let corner = ((p.as_vec2() + 0.5) / UVec2::from(frame.light_ratio).as_vec2() - 0.5).floor().as_ivec2();
+    let taps = [IVec2::ZERO, IVec2::X, IVec2::Y, IVec2::ONE].map(|offset| rect.clamp(corner + offset));
+    let difference = |q: IVec2| (unpack_guide(guide.at(q)).linear_depth - depth).abs();
+    taps.into_iter().reduce(|best, q| if difference(q) < difference(best) { q } else { best }).unwrap_or(p)
+}
+
 /// How what it writes is compared with the GPU.
 pub(crate) const RULES: &[Rule] = &[pixels("reactive_mask", HALF)];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let inputs = ReactiveInputs {
+        rendered_guide: b.packed("rendered_guide")?,
         guide: b.packed("guide")?,
         histories: &b.packed_signals("luminance_history")?,
         confidence: b.optional_scalar("history_confidence")?,
@@ -60,6 +78,7 @@ mod tests {
     use super::*;
     use crate::reference::luminance_history::{pack_luminance_history, LuminanceHistory};
     use crate::reference::test_scene::*;
+    use crate::{Config, FrameParams};
 
     const EXTENT: [u32; 2] = [3, 1];
 
@@ -76,6 +95,7 @@ mod tests {
         let emission = paint(EXTENT, |x, _| [[0.0; 4], [1.0; 4], [f32::INFINITY; 4]][x as usize]);
         let radiance = Image::new(EXTENT, [4.0, 4.0, 4.0, 1.0]);
         let inputs = ReactiveInputs {
+            rendered_guide: &guides.guide,
             guide: &guides.guide,
             histories: &[&long],
             confidence: None,
@@ -87,5 +107,32 @@ mod tests {
         assert_eq!(mask(ReactiveInputs { confidence: Some(&confidence), ..inputs })[0], [0.75, 0.0]);
         let both = ReactiveInputs { histories: &[&long, &short], emission: None, ..inputs };
         assert_eq!(mask(both)[1], [1.0, 0.0]);
+    }
+
+    #[test]
+    fn with_half_the_light_a_thing_takes_what_is_new_from_its_own_surface() {
+        let (rendered, light) = ([8, 4], [4, 2]);
+        let config = Config { light_extent: Some(light), ..Config::new(rendered) };
+        let frame = frame_with(&config, &FrameParams::new(rendered), &FrameParams::new(rendered));
+        // A near thing came in from the left, up to the middle of a cell.
+        let rendered_guide = guides(rendered, |x, _| surface(if x < 3 { 2.0 } else { 9.0 })).guide;
+        let guide = guides(light, |x, _| surface(if x < 2 { 2.0 } else { 9.0 })).guide;
+        let history = paint(light, |x, _| {
+            let history_length = if x < 2 { 1.0 } else { 50.0 };
+            pack_luminance_history(&LuminanceHistory { history_length, ..LuminanceHistory::default() })
+        });
+        let radiance = Image::new(rendered, [1.0; 4]);
+        let inputs = ReactiveInputs {
+            rendered_guide: &rendered_guide,
+            guide: &guide,
+            histories: &[&history],
+            confidence: None,
+            radiance: &radiance,
+            emission: None,
+        };
+        let mask = reactive_mask(&frame, &inputs);
+        let new = |x: i32| mask.at(IVec2::new(x, 1))[0];
+        assert_eq!([0, 1, 2].map(new), [1.0; 3]);
+        assert!([3, 4, 5, 6, 7].iter().all(|x| new(*x) < 0.03), "{:?}", mask.texels());
     }
 }

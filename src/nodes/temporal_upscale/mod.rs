@@ -6,7 +6,7 @@ pub(crate) mod twin;
 
 use super::{pass, UNREAD};
 use crate::contract::{Grid, Input, Lifetime, Phase, TexelGrid};
-use crate::graph::{Graph, Guides, Port, Radiance, Value, HDR, WIDE_HDR};
+use crate::graph::{Graph, Guides, Motion, Port, Radiance, Value, HDR, PACKED_64, WIDE_HDR};
 use crate::shaders;
 
 /// Parameters of the node `temporal_upscale`.
@@ -21,26 +21,38 @@ impl Graph {
     /// an output extent it is temporal anti-aliasing. It has the format of the first radiance.
     pub fn temporal_upscale(&mut self, guides: &Guides, radiance: &Radiance, upscale: TemporalUpscale) -> Radiance {
         let node = self.node("temporal_upscale", "");
-        let (module, format) = match self.format_of(radiance.image()) == Some(WIDE_HDR) {
-            true => (&shaders::TEMPORAL_UPSCALE_FLOAT_1, WIDE_HDR),
-            false => (&shaders::TEMPORAL_UPSCALE_FLOAT_0, HDR),
-        };
-        let history = self.named_image("upscale_history", "", HDR, TexelGrid::Output, Lifetime::History);
+        let format = self.format_of(radiance.image()).filter(|format| *format == WIDE_HDR).unwrap_or(HDR);
+        let module = match guides.rendered.motion {
+            Motion::Stored(_) => [&shaders::TEMPORAL_UPSCALE_FLOAT_0, &shaders::TEMPORAL_UPSCALE_FLOAT_1],
+            Motion::Host { surface_id: false } => {
+                [&shaders::TEMPORAL_UPSCALE_FLOAT_0_SURFACE_ID_0, &shaders::TEMPORAL_UPSCALE_FLOAT_1_SURFACE_ID_0]
+            }
+            Motion::Host { surface_id: true } => {
+                [&shaders::TEMPORAL_UPSCALE_FLOAT_0_SURFACE_ID_1, &shaders::TEMPORAL_UPSCALE_FLOAT_1_SURFACE_ID_1]
+            }
+        }[usize::from(format == WIDE_HDR)];
+        let history = self.named_image("upscale_history", "", PACKED_64, TexelGrid::Output, Lifetime::History);
         let upscaled = self.named_image("upscaled_radiance", "", format, TexelGrid::Output, Lifetime::Transient);
         let value = if upscale.tone_mapped { Value::Own } else { UNREAD };
-        let pass = pass(&node, module)
+        let guide = self.rendered_guide(guides);
+        let mut pass = pass(&node, module)
             .phase(Phase::PostProcess)
             .constant("SHOWN", upscale.tone_mapped.into())
             .value("exposure", value)
             .grid(Grid::Output)
             .each("radiance", radiance.images())
             .bind_some("albedo", self.given(Input::ALBEDO))
-            .bind("guide", guides.rendered.guide)
-            .previous("previous_guide", guides.rendered.guide)
-            .bind("surface_motion", guides.rendered.surface_motion)
-            .previous("previous_history", history)
+            .bind("guide", guide)
+            .previous("previous_upscale_history", history)
             .bind("upscale_history", history)
             .bind("upscaled_radiance", upscaled);
+        pass = match guides.rendered.motion {
+            Motion::Stored(motion) => pass.bind("surface_motion", motion),
+            Motion::Host { surface_id } => pass
+                .bind("motion", self.input(Input::MOTION))
+                .bind("instance_transforms", self.input(Input::INSTANCE_TRANSFORMS))
+                .bind_some("surface_id", surface_id.then(|| self.input(Input::SURFACE_ID))),
+        };
         self.add(pass);
         Port::of(self.refreshed(upscaled))
     }

@@ -1,18 +1,20 @@
 //! The stage `temporal_upscale`: jittered frames of the past and this one, gathered at the size of the output.
 
 use crate::nodes::demodulate::twin::divisor;
-use crate::reference::binary16::store;
 use crate::reference::bindings::Bindings;
-use crate::reference::compare::{Rule, Tolerance};
+use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
 use crate::reference::conventions::is_reset;
 use crate::reference::guide::{unpack_guide, Surface};
 use crate::reference::luminance::luminance;
 use crate::reference::outgoing::Outgoing;
-use crate::reference::projection::{extent, sample_offset};
-use crate::reference::rules::pixels;
+use crate::reference::projection::{extent, sample_offset, Projections};
+use crate::reference::reprojection::{reproject, transform_of, HostMotion, InstanceTransform, Reprojection};
+use crate::reference::rules::{pixels, rule, STATISTICS};
+use crate::reference::statistics::count;
 use crate::reference::surface_motion::unpack_surface_motion;
+use crate::reference::upscale_history::{pack_upscale_history, ratio_of, unpack_upscale_history, Kept};
 use crate::reference::{render_rect::RenderRect, Image};
-use crate::{Error, FrameConstants, ToneCurve, Tuning};
+use crate::{Counter, Error, FrameConstants, Statistics, ToneCurve, Tuning};
 use glam::{IVec2, Vec2, Vec3, Vec4};
 
 #[cfg(test)]
@@ -73,7 +75,38 @@ impl Shown {
     }
 }
 
-type Past<'a> = (&'a Image<[u16; 4]>, &'a Image<[f32; 4]>);
+/// Motion of every rendered pixel.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Motion<'a> {
+    /// The image `surface_motion`, from the stage `import`.
+    Stored(&'a Image<[u16; 4]>),
+    /// That of the host, where `import` has the pixels with light alone.
+    Host {
+        /// The host's image.
+        motion: Option<&'a Image<[f32; 4]>>,
+        /// The host's ids.
+        surface_id: Option<&'a Image<u32>>,
+        /// The transforms of its instances.
+        transforms: Option<&'a [InstanceTransform]>,
+    },
+}
+
+impl Motion<'_> {
+    /// Of a surface, or of the background at depth 0.
+    fn at(&self, frame: &FrameConstants, p: IVec2, depth: f32) -> Reprojection {
+        match *self {
+            Self::Stored(motion) => {
+                let moved = unpack_surface_motion(motion.at(p));
+                Reprojection { motion: moved.motion.into(), depth_ratio: moved.depth_ratio, is_bad: false }
+            }
+            Self::Host { motion, surface_id, transforms } => {
+                let transform = surface_id.and_then(|ids| transform_of(transforms?, ids.at(p)));
+                let host = HostMotion { texel: motion.map(|m| m.at(p)), transform: transform.filter(|_| depth > 0.0) };
+                reproject(frame, &Projections::new(frame), p, depth, host)
+            }
+        }
+    }
+}
 
 /// Inputs of [`temporal_upscale`]; images have the allocated extent, but for the history, which has that of the output.
 #[derive(Clone, Copy, Debug)]
@@ -84,21 +117,23 @@ pub(crate) struct UpscaleInputs<'a> {
     pub albedo: Option<&'a Image<[f32; 4]>>,
     /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
-    /// The image `surface_motion`, from the stage `import`.
-    pub surface_motion: &'a Image<[u16; 4]>,
+    /// Motion of every rendered pixel.
+    pub motion: Motion<'a>,
     /// Whether a tone map follows.
     pub tone_mapped: bool,
-    /// `guide` and `upscale_history` of the previous frame. Not read in a reset frame; `None` is treated as one.
-    pub previous: Option<Past<'a>>,
+    /// The history of the previous frame. Not read in a reset frame; `None` is treated as one.
+    pub previous: Option<&'a Image<Kept>>,
 }
 
 /// Outputs of [`temporal_upscale`], with the extent of the output.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Upscaled {
-    /// rgb: radiance divided by the light around; alpha: weight of what was gathered.
-    pub history: Image<[f32; 4]>,
+    /// For the next frame, as its image holds it.
+    pub history: Image<Kept>,
     /// Radiance.
     pub picture: Image<[f32; 4]>,
+    /// Motion of the host that was not finite.
+    pub statistics: Statistics,
 }
 
 /// A rendered pixel, in the filter's exposure.
@@ -128,9 +163,9 @@ struct Scene<'a> {
     frame: &'a FrameConstants,
     tuning: &'a Tuning,
     shown: Shown,
-    surface_motion: &'a Image<[u16; 4]>,
+    motion: Motion<'a>,
     samples: Image<Option<Sample>>,
-    previous: Option<(Image<Surface>, &'a Image<[f32; 4]>)>,
+    previous: Option<&'a Image<Kept>>,
 }
 
 /// Gathers the samples of this frame and of the past at the size of the output, whose allocated extent is `allocated`.
@@ -143,13 +178,16 @@ pub(crate) fn temporal_upscale(
 ) -> Upscaled {
     let scene = Scene::new(frame, tuning, inputs);
     let gathered = Image::compute(allocated, frame.output_extent, |p| Some(scene.gathered(p)));
-    let write = |texel: &dyn Fn(&Gathered) -> [f32; 4]| gathered.map(|g| g.as_ref().map_or([0.0; 4], texel));
+    let picture = |g: &Gathered| {
+        let [r, g, b] = (g.colour * frame.inverse_filter_exposure).to_array().map(|c| outgoing.store(c));
+        [r, g, b, 1.0]
+    };
+    let mut statistics = Statistics::default();
+    statistics[Counter::Motion] = count(gathered.texels().iter().map(|g| g.as_ref().is_some_and(|g| g.is_motion_bad)));
     Upscaled {
-        history: write(&|g| (g.colour / g.light).extend(g.weight).to_array().map(store)),
-        picture: write(&|g| {
-            let [r, g, b] = (g.colour * frame.inverse_filter_exposure).to_array().map(|c| outgoing.store(c));
-            [r, g, b, 1.0]
-        }),
+        statistics,
+        history: gathered.map(|g| g.as_ref().map_or(Kept::default(), Gathered::kept)),
+        picture: gathered.map(|g| g.as_ref().map_or([0.0; 4], picture)),
     }
 }
 
@@ -159,6 +197,15 @@ struct Gathered {
     colour: Vec3,
     light: Vec3,
     weight: f32,
+    depth: f32,
+    is_motion_bad: bool,
+}
+
+impl Gathered {
+    fn kept(&self) -> Kept {
+        let exact = Kept::new(self.colour / self.light, self.weight, self.depth);
+        unpack_upscale_history(pack_upscale_history(&exact))
+    }
 }
 
 impl<'a> Scene<'a> {
@@ -166,12 +213,12 @@ impl<'a> Scene<'a> {
         let shown = Shown::new(frame, tuning, inputs.tone_mapped);
         let samples = Image::compute(inputs.guide.extent(), frame.render_extent, |p| Some(sample(frame, shown, inputs, p)));
         let previous = inputs.previous.filter(|_| !is_reset(frame));
-        let previous = previous.map(|(guide, history)| (guide.map(|texel| unpack_guide(*texel)), history));
-        Self { frame, tuning, shown, surface_motion: inputs.surface_motion, samples, previous }
+        Self { frame, tuning, shown, motion: inputs.motion, samples, previous }
     }
 
     fn gathered(&self, p: IVec2) -> Gathered {
         let around = self.neighbourhood(p);
+        let is_motion_bad = self.previous.is_some() && self.motion.at(self.frame, around.nearest, around.depth).is_bad;
         let (past, weight) = match self.past(p, &around) {
             Some((history, past)) => (history.extend(1.0) * self.shown.evenness(history) * past, past),
             None => (Vec4::ZERO, 0.0),
@@ -182,7 +229,13 @@ impl<'a> Scene<'a> {
             false => around.first,
         };
         let sum = now + past;
-        Gathered { colour: sum.truncate() / sum.w, light: around.light, weight: weight + around.weight }
+        Gathered {
+            colour: sum.truncate() / sum.w,
+            light: around.light,
+            weight: weight + around.weight,
+            depth: around.depth,
+            is_motion_bad,
+        }
     }
 
     /// Sums over the samples of the 3×3 pixels around the nearest one.
@@ -239,40 +292,39 @@ impl<'a> Scene<'a> {
 
     /// Colour of the past and its weight, where it is of this surface.
     fn past(&self, p: IVec2, around: &Neighbourhood) -> Option<(Vec3, f32)> {
-        let (surfaces, history) = self.previous.as_ref()?;
+        let history = self.previous?;
         let frame = self.frame;
-        let moved = unpack_surface_motion(self.surface_motion.at(around.nearest));
-        let motion = Vec2::from(moved.motion) * quotient(frame.previous_output_extent, frame.previous_render_extent);
+        let moved = self.motion.at(frame, around.nearest, around.depth);
+        let motion = moved.motion * quotient(frame.previous_output_extent, frame.previous_render_extent);
         let position = (p.as_vec2() + 0.5) * quotient(frame.previous_output_extent, frame.output_extent) + motion;
         let rect = RenderRect::new(frame.previous_output_extent);
-        let rendered = position * quotient(frame.previous_render_extent, frame.previous_output_extent);
         if !rect.contains_position(position) {
             return None;
         }
-        let is_whole = self.was_whole(surfaces, rendered, around.depth * (1.0 + moved.depth_ratio))?;
+        let is_whole = was_whole(rect, history, position, around.depth * (1.0 + moved.depth_ratio))?;
         let gamma = self.tuning.taa_gamma / if self.shown.divides { 1.0 } else { SHOWN_BOX };
         let gamma = if is_whole { gamma } else { gamma.min(WIDEST_BESIDE) };
-        let (colour, weight) = history_at(self.shown, rect, history, position, around.light);
+        let before = history_at(rect, history, position, around.light);
+        let wider = quotient(frame.previous_output_extent, frame.output_extent);
         let moving = 1.0 / self.tuning.taa_alpha - 1.0;
         let still = (-STILL_SHARPNESS * motion.length_squared()).exp();
         let limit = moving * (1.0 + (STILL_PAST - 1.0) * still);
-        Some((clipped(self.shown, gamma, around, colour), weight.min(limit)))
+        Some((clipped(self.shown, gamma, around, &before), (before.weight * wider.x * wider.y).min(limit)))
     }
+}
 
-    /// Whether all of the 2×2 pixels around a position of the previous frame showed something at this depth; none where none of 4×4 did.
-    fn was_whole(&self, surfaces: &Image<Surface>, rendered: Vec2, expected: f32) -> Option<bool> {
-        let rect = RenderRect::new(self.frame.previous_render_extent);
-        let corner = (rendered - 0.5).floor().as_ivec2();
-        let shows = |offset: IVec2| {
-            let z = surfaces.at(rect.clamp(corner + offset)).linear_depth;
-            match expected > 0.0 {
-                true => (z - expected).abs() <= DEPTH_TOLERANCE * expected,
-                false => z == 0.0,
-            }
-        };
-        let some = (-1..3).any(|y| (-1..3).any(|x| shows(IVec2::new(x, y))));
-        some.then(|| (0..2).all(|y| (0..2).all(|x| shows(IVec2::new(x, y)))))
-    }
+/// Whether all of the 2×2 texels around a position belong to something at this depth; none where none of 4×4 does.
+fn was_whole(rect: RenderRect, history: &Image<Kept>, position: Vec2, expected: f32) -> Option<bool> {
+    let corner = (position - 0.5).floor().as_ivec2();
+    let belongs = |offset: IVec2| {
+        let z = history.at(rect.clamp(corner + offset)).depth;
+        match expected > 0.0 {
+            true => (z - expected).abs() <= DEPTH_TOLERANCE * expected,
+            false => z == 0.0,
+        }
+    };
+    let some = (-1..3).any(|y| (-1..3).any(|x| belongs(IVec2::new(x, y))));
+    some.then(|| (0..2).all(|y| (0..2).all(|x| belongs(IVec2::new(x, y)))))
 }
 
 /// Sides of one extent over those of another; 1 to the bit where they are equal.
@@ -294,26 +346,37 @@ fn sample(frame: &FrameConstants, shown: Shown, inputs: &UpscaleInputs, p: IVec2
     Sample { radiance: in_range(radiance, shown.brightest), irradiance, surface }
 }
 
+/// What the past had at a position.
+#[derive(Clone, Copy, Debug)]
+struct Before {
+    colour: Vec3,
+    /// Mean of the texels around.
+    around: Vec3,
+    weight: f32,
+}
+
 /// The history in this light at a position in pixels: colour by Catmull and Rom, sharper than bilinear; weight bilinear.
-fn history_at(shown: Shown, rect: RenderRect, image: &Image<[f32; 4]>, s: Vec2, light: Vec3) -> (Vec3, f32) {
+fn history_at(rect: RenderRect, history: &Image<Kept>, s: Vec2, light: Vec3) -> Before {
     let corner = (s - 0.5).floor();
     let f = s - 0.5 - corner;
     let (x, y) = (catmull_rom_weights(f.x), catmull_rom_weights(f.y));
     let linear = |t: f32| [0.0, 1.0 - t, t, 0.0];
     let (linear_x, linear_y) = (linear(f.x), linear(f.y));
-    let (mut sum, mut least, mut most, mut weight) = (Vec4::ZERO, Vec4::MAX, Vec4::ZERO, 0.0);
+    let (mut sum, mut least, mut most, mut weight) = (Vec3::ZERO, Vec3::MAX, Vec3::ZERO, 0.0);
+    let (mut mean, mut total) = (Vec3::ZERO, 0.0);
     for j in 0..4 {
         for i in 0..4 {
             let q = rect.clamp(corner.as_ivec2() + IVec2::new(i as i32 - 1, j as i32 - 1));
-            let colour = rgb(image, q) * light;
-            let even = colour.extend(1.0) * shown.evenness(colour);
-            sum += x[i] * y[j] * even;
-            (least, most) = (least.min(even), most.max(even));
-            weight += linear_x[i] * linear_y[j] * image.at(q)[3];
+            let kept = history.at(q);
+            sum += x[i] * y[j] * kept.even;
+            (least, most) = (least.min(kept.even), most.max(kept.even));
+            let near = (-BOX_SHARPNESS * (Vec2::new(i as f32 - 1.0, j as f32 - 1.0) - f).length_squared()).exp();
+            mean += near * kept.even;
+            total += near;
+            weight += linear_x[i] * linear_y[j] * kept.weight;
         }
     }
-    let sum = sum.clamp(least, most);
-    (sum.truncate() / sum.w, weight)
+    Before { colour: ratio_of(sum.clamp(least, most)) * light, around: ratio_of(mean / total), weight }
 }
 
 fn catmull_rom_weights(t: f32) -> [f32; 4] {
@@ -328,35 +391,65 @@ fn from_ycocg(c: Vec3) -> Vec3 {
     Vec3::new(c.x + c.y - c.z, c.x + c.z, c.x - c.y - c.z)
 }
 
+/// Differences of means that are noise or edges: in deviations, and as a share of the mean.
+const SAME_DEVIATION: f32 = 0.5;
+const SAME_SHARE: f32 = 0.1;
+
+/// What the light around changed by, where nothing was divided by it: from none of it to all, at twice the difference that is none.
+fn change_of_light(shown: Shown, around: &Neighbourhood, before: Vec3) -> Vec3 {
+    let offset = to_ycocg(before * shown.evenness(before)) - around.mean;
+    let same = (SAME_DEVIATION * around.deviation).max(Vec3::splat((SAME_SHARE * around.mean.x).max(1e-6)));
+    offset * ((offset.abs() / same).max_element() - 1.0).clamp(0.0, 1.0)
+}
+
 /// The history moved towards the mean of the neighbourhood until it is within `gamma` deviations, in YCoCg of compressed colours.
-fn clipped(shown: Shown, gamma: f32, around: &Neighbourhood, history: Vec3) -> Vec3 {
-    let distance = to_ycocg(history * shown.evenness(history)) - around.mean;
+fn clipped(shown: Shown, gamma: f32, around: &Neighbourhood, before: &Before) -> Vec3 {
+    let history = before.colour;
+    let change = if shown.divides { Vec3::ZERO } else { change_of_light(shown, around, before.around) };
+    let distance = to_ycocg(history * shown.evenness(history)) - around.mean - change;
     let smallest = (SMALLEST_BOX * around.mean.x).max(1e-6);
     let excess = (distance.abs() / (gamma * around.deviation).max(Vec3::splat(smallest))).max_element();
-    if excess <= 1.0 {
+    if excess <= 1.0 && change == Vec3::ZERO {
         return history;
     }
-    let compressed = from_ycocg(around.mean + distance / excess).max(Vec3::ZERO);
+    let compressed = from_ycocg(around.mean + distance / excess.max(1.0)).max(Vec3::ZERO);
     compressed / (1.0 - shown.steepness * luminance(compressed.to_array())).max(1e-4)
 }
 
 /// The clip divides by a deviation that is the root of a difference; a test of depth may fall the other way on its threshold.
 const CLIPPED: Tolerance = Tolerance { relative: 4e-3, absolute: 1e-3, outliers: 2e-3 };
 
+/// As above, with a step of the history's.
+const KEPT: Tolerance = Tolerance { absolute: 2e-3, ..CLIPPED };
+
 /// How what it writes is compared with the GPU.
-pub(crate) const RULES: &[Rule] = &[pixels("upscale_history", CLIPPED), pixels("upscaled_radiance", CLIPPED)];
+pub(crate) const RULES: &[Rule] =
+    &[STATISTICS, rule("upscale_history", Unit::Pixel, Reading::UpscaleHistory, KEPT), pixels("upscaled_radiance", CLIPPED)];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let previous = b.packed("previous_upscale_history")?.map(|texel| unpack_upscale_history(*texel));
+    let transforms = b.instance_transforms()?;
+    let motion = match b.optional_packed("surface_motion")? {
+        Some(motion) => Motion::Stored(motion),
+        None => Motion::Host {
+            motion: b.optional_colour("motion")?,
+            surface_id: b.optional_uint("surface_id")?,
+            transforms: transforms.as_deref(),
+        },
+    };
     let inputs = UpscaleInputs {
         radiance: &b.colours("radiance")?,
         albedo: b.optional_colour("albedo")?,
         guide: b.packed("guide")?,
-        surface_motion: b.packed("surface_motion")?,
+        motion,
         tone_mapped: b.is_on("SHOWN")?,
-        previous: Some((b.packed("previous_guide")?, b.colour("previous_history")?)),
+        previous: Some(&previous),
     };
     let upscaled = temporal_upscale(&b.frame.of_guides(), b.tuning, b.extent_of("upscaled_radiance")?, Outgoing::of(b)?, &inputs);
-    b.write("upscale_history", upscaled.history)?;
+    if b.has("statistics") {
+        b.count(&upscaled.statistics)?;
+    }
+    b.write("upscale_history", upscaled.history.map(pack_upscale_history))?;
     b.write("upscaled_radiance", upscaled.picture)
 }

@@ -6,13 +6,22 @@ pub(crate) mod twin;
 
 use super::pass;
 use crate::contract::TexelGrid;
-use crate::graph::{Graph, Guides, Port, CONFIDENCE, HDR};
+use crate::graph::{Graph, Guides, Port, Radiance, CONFIDENCE, HDR};
 use crate::shaders;
 
 impl Graph {
     /// Irradiance of one or two signals, or visibility, of every rendered pixel, from that of the pixels with light:
     /// [`crate::Config::light_extent`]. Where every pixel has light, the port as it is.
     pub fn upsample<K>(&mut self, guides: &Guides, filtered: &Port<K>) -> Port<K> {
+        self.upsampled(guides, filtered, false)
+    }
+
+    /// Radiance of a volume of every rendered pixel, by the depth behind it.
+    pub(crate) fn upsample_volume(&mut self, guides: &Guides, filtered: &Radiance) -> Radiance {
+        self.upsampled(guides, filtered, true)
+    }
+
+    fn upsampled<K>(&mut self, guides: &Guides, filtered: &Port<K>, is_volume: bool) -> Port<K> {
         if !self.has_light_extent() {
             return *filtered;
         }
@@ -23,8 +32,10 @@ impl Graph {
             false => (&shaders::UPSAMPLE_NUMBER_0, "upsampled", HDR),
         };
         let upsampled: Port<K> = self.image_each(filtered, base, format, TexelGrid::Rendered(1));
+        let rendered_guide = self.rendered_guide(guides);
         let pass = pass(&node, module)
-            .bind("rendered_guide", guides.rendered.guide)
+            .constant("VOLUME", is_volume.into())
+            .bind("rendered_guide", rendered_guide)
             .bind("guide", guides.guide)
             .each("filtered", filtered.images())
             .each("upsampled", upsampled.images());

@@ -7,6 +7,7 @@ use crate::reference::guide::{unpack_guide, Surface};
 use crate::reference::projection::view_position;
 use crate::reference::render_rect::RenderRect;
 use crate::reference::rules::{pixels, WEIGHTED};
+use crate::reference::volume::{relative_difference, sight};
 use crate::reference::Image;
 use crate::{Error, FrameConstants};
 use glam::{IVec2, Mat3, Mat4, UVec2, Vec3};
@@ -17,6 +18,8 @@ const SIGMA: f32 = 0.8;
 const PLANE_TOLERANCE: f32 = 0.02;
 /// Of 1 − cos of two normals.
 const NORMAL_SHARPNESS: f32 = 4.0;
+/// Of the difference of two depths behind a volume, as a share of the larger one.
+const VOLUME_SHARPNESS: f32 = 8.0;
 /// Weight of taps on other surfaces.
 const LEAST_ALIKE: f32 = 1e-3;
 /// Weight of taps with light of another kind.
@@ -29,6 +32,8 @@ pub(crate) struct UpsampleInputs<'a> {
     pub rendered_guide: &'a Image<[u16; 4]>,
     /// Of the pixels that light was traced for.
     pub guide: &'a Image<[u16; 4]>,
+    /// Whether the light is a volume's, and not that of the surfaces.
+    pub is_volume: bool,
     /// rgb: irradiance of every signal.
     pub filtered: &'a [&'a Image<[f32; 4]>],
 }
@@ -47,7 +52,10 @@ pub(crate) fn upsample(frame: &FrameConstants, inputs: &UpsampleInputs, store: i
             if light.contains(q) {
                 let tap = unpack_guide(inputs.guide.at(q));
                 let gauss = (-(q.as_vec2() - u).length_squared() / (2.0 * SIGMA * SIGMA)).exp();
-                let likeness = likeness(&of_guides, (p, &centre), (frame.guide_pixel(q), &tap));
+                let likeness = match inputs.is_volume {
+                    true => LEAST + (-VOLUME_SHARPNESS * relative_difference(sight(&centre), sight(&tap))).exp(),
+                    false => likeness(&of_guides, (p, &centre), (frame.guide_pixel(q), &tap)),
+                };
                 taps.0[taps.1] = (q, gauss * likeness);
                 taps.1 += 1;
             }
@@ -99,13 +107,18 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let (rendered_guide, guide) = (b.packed("rendered_guide")?, b.packed("guide")?);
     if let Ok(visibility) = b.scalar("filtered_0") {
         let filtered = visibility.map(|v| [*v, 0.0, 0.0, 0.0]);
-        let [upsampled, ..] = &upsample(b.frame, &UpsampleInputs { rendered_guide, guide, filtered: &[&filtered] }, |x| x)[..]
+        let [upsampled, ..] =
+            &upsample(b.frame, &UpsampleInputs { rendered_guide, guide, is_volume: false, filtered: &[&filtered] }, |x| x)[..]
         else {
             return Ok(());
         };
         return b.write("upsampled_0", upsampled.map(|texel| texel[0]));
     }
-    let upsampled = upsample(b.frame, &UpsampleInputs { rendered_guide, guide, filtered: &b.colours("filtered")? }, store);
+    let upsampled = upsample(
+        b.frame,
+        &UpsampleInputs { rendered_guide, guide, is_volume: b.is_on("VOLUME")?, filtered: &b.colours("filtered")? },
+        store,
+    );
     b.write_signals("upsampled", upsampled)
 }
 
@@ -133,7 +146,7 @@ mod tests {
         });
         let filtered = traced.map(|surface| [light(surface); 4]);
         let (rendered_guide, guide) = (paint(EXTENT, |x, y| pack_guide(&surfaces(x, y))), traced.map(pack_guide));
-        let inputs = UpsampleInputs { rendered_guide: &rendered_guide, guide: &guide, filtered: &[&filtered] };
+        let inputs = UpsampleInputs { rendered_guide: &rendered_guide, guide: &guide, is_volume: false, filtered: &[&filtered] };
         upsample(&frame, &inputs, store).remove(0)
     }
 

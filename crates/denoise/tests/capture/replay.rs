@@ -1,6 +1,6 @@
 //! A replay of a capture gives what the engine had.
 
-use super::support::{assert_valid, session, upload};
+use super::support::{assert_valid, session, upload, upload_traced};
 use atrous::config::{AdaptiveRule, EawWeights, GradientSource, MotionDepth, MotionUnit, Preset, Sampling, Signals};
 use atrous::reference::InstanceTransform;
 use atrous::{Config, FrameParams, Input, ResetReason, Tuning};
@@ -26,6 +26,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("four_coloured_lights_are_replayed", four_coloured_lights_are_replayed),
     ("ambient_occlusion_is_replayed", ambient_occlusion_is_replayed),
     ("the_motion_of_reflections_is_replayed", the_motion_of_reflections_is_replayed),
+    ("light_and_output_of_other_sizes_are_replayed", light_and_output_of_other_sizes_are_replayed),
 ];
 
 const EXTENT: [u32; 2] = [48, 27];
@@ -419,4 +420,57 @@ fn the_motion_of_reflections_is_replayed() {
     let pictures = frames(with.path(), true);
     assert!(pictures != frames(without.path(), false), "it changes nothing, so nothing was tested");
     assert_replays(with.path(), &pictures);
+}
+
+/// Half the light, an output of another size, or both; a part of the images is rendered.
+fn light_and_output_of_other_sizes_are_replayed() {
+    let extent = [48, 26];
+    for (allocated, halved, output) in [
+        (extent, [true, true], Some([72, 40])),
+        (extent, [true, false], None),
+        (extent, [false; 2], Some([96, 52])),
+        ([64, 40], [true, true], Some([66, 40])),
+    ] {
+        let folder = tempfile::tempdir().expect("a folder");
+        let light = [0, 1].map(|i| if halved[i] { allocated[i] / 2 } else { allocated[i] });
+        let config = Config {
+            light_extent: (light != allocated).then_some(light),
+            output_extent: output,
+            visibility: 2,
+            volume: output.is_none(),
+            ..Config::new(allocated)
+        };
+        let scene = Scene { speed: 0.05, allocated, ..Scene::new(extent) };
+        let mut s = session(&config);
+        s.capture(folder.path(), FRAMES).expect("a capture");
+        let offset = |i: u32| [i % 2 * u32::from(halved[0]), i / 2 % 2 * u32::from(halved[1])];
+        let mut pictures = Vec::new();
+        for i in 0..FRAMES {
+            upload_traced(&mut s, &scene.frame(i, i), offset(i));
+            let params = FrameParams { light_offset: offset(i), jitter: [0.1 * i as f32, -0.2], ..scene.params(i) };
+            s.run(&params, &Tuning::default()).expect("a frame");
+            let names: &[&str] = if output.is_some() { &["upscaled_radiance"] } else { &["denoised_radiance", "denoised_volume"] };
+            let parts: Vec<Picture> = names.iter().map(|name| s.download(name).expect("a picture")).collect();
+            let sum = |k: usize| {
+                parts.iter().fold([0.0, 0.0, 0.0, 1.0], |sum: [f32; 4], part| {
+                    let [r, g, b, _] = part[k];
+                    [sum[0] + r, sum[1] + g, sum[2] + b, 1.0]
+                })
+            };
+            pictures.push((0..parts[0].len()).map(sum).collect::<Picture>());
+        }
+        assert_eq!(s.finish_capture().expect("written"), FRAMES);
+        assert_valid();
+        if output.is_none() {
+            let rows = |picture: Picture| {
+                picture.chunks_exact(allocated[0] as usize).take(extent[1] as usize).flatten().copied().collect()
+            };
+            pictures = pictures.into_iter().map(rows).collect();
+        }
+        assert_replays(folder.path(), &pictures);
+        let (setup, frames) = load(folder.path());
+        assert_eq!(setup.config.output_extent, output);
+        assert_eq!(setup.config.light_extent.is_some(), config.light_extent.is_some());
+        assert_eq!(frames.iter().map(|f| f.params.light_offset).collect::<Vec<_>>(), (0..FRAMES).map(offset).collect::<Vec<_>>());
+    }
 }

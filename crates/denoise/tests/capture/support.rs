@@ -38,3 +38,20 @@ pub fn upload(session: &mut Session, guides: &Guides) {
         session.upload_ids("surface_id", &guides.surface_id).expect("surface_id");
     }
 }
+
+/// [`upload`] with light of fewer pixels, traced at an offset.
+pub fn upload_traced(session: &mut Session, guides: &Guides, offset: [u32; 2]) {
+    let declaration = session.executor().denoiser().declaration().clone();
+    let [width, height] = declaration.allocated_extent();
+    for (name, texels) in guides.declared(&declaration) {
+        let resource = declaration.resource(declaration.find(name).expect(name));
+        let [columns, rows] = resource.extent(declaration.setup()).expect("an image");
+        let (x, y) = (width / columns, height / rows);
+        let at = |p: u32, q: u32| texels[((q * y + offset[1] % y) * width + p * x + offset[0] % x) as usize];
+        let traced: Vec<[f32; 4]> = (0..rows).flat_map(|q| (0..columns).map(move |p| at(p, q))).collect();
+        session.upload(name, &traced).expect(name);
+    }
+    if declaration.find("surface_id").is_some() {
+        session.upload_ids("surface_id", &guides.surface_id).expect("surface_id");
+    }
+}

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::config::{Conventions, MotionDepth, MotionDirection, MotionUnit};
+use crate::reference::projection::view_position;
 use crate::reference::test_scene::*;
 use crate::reference::{unpack_surface_motion, Image, SurfaceMotion, LARGEST_MOTION};
 use crate::{Config, FrameParams};
@@ -263,6 +264,47 @@ fn far_from_the_origin_an_instance_moves_as_near_it() {
     for distance in [1e4, 1e6] {
         for (far, near) in of(distance).texels().iter().zip(near.texels()) {
             assert!(close(far.motion, Vec2::from(near.motion), 0.01), "{far:?} {near:?} at a distance of {distance}");
+        }
+    }
+}
+
+/// A frame whose light has fewer pixels.
+fn of_light(light: [u32; 2], light_offset: [u32; 2]) -> FrameConstants {
+    let (extent, before) = ([24, 16], camera([24, 16], Vec3::ZERO));
+    let config = Config { light_extent: Some(light), ..Config::new(extent) };
+    frame_with(&config, &before, &FrameParams { jitter: [0.3, -0.45], light_offset, ..before })
+}
+
+#[test]
+fn a_pixel_of_light_lies_where_it_was_traced() {
+    for (light, offset) in [([12, 8], [0, 0]), ([12, 8], [1, 0]), ([12, 8], [1, 1]), ([24, 8], [0, 1]), ([12, 16], [1, 0])] {
+        let frame = of_light(light, offset);
+        assert_eq!(frame.render_extent, light);
+        for p in [IVec2::new(0, 0), IVec2::new(5, 3), IVec2::new(11, 7)] {
+            let (of_light, traced) = (view_position(&frame, p, 3.0), view_position(&frame.of_guides(), frame.guide_pixel(p), 3.0));
+            assert!((of_light - traced).length() < 1e-5, "{light:?} {offset:?} {p}: {of_light} {traced}");
+        }
+    }
+}
+
+#[test]
+fn a_pixel_of_light_has_the_guides_of_the_pixel_that_it_was_traced_for() {
+    for (light, offset) in [([12, 8], [0, 1]), ([12, 16], [1, 0]), ([24, 16], [0, 0])] {
+        let frame = of_light(light, offset);
+        let depth = paint([24, 16], |x, y| [4.0 + 0.5 * x as f32 + 0.25 * y as f32; 4]);
+        let (normal, motion) =
+            (Image::new([24, 16], [0.0, 0.0, 1.0, 0.0]), Image::new([24, 16], [3.0 / 24.0, -5.0 / 16.0, 0.0, 0.0]));
+        let imported = import(&frame, &ImportInputs { motion: Some(&motion), ..ImportInputs::new(&depth, &normal) });
+        assert_eq!(imported.guide.extent(), light);
+        let ratio = [24 / light[0], 16 / light[1]].map(|side| side as f32);
+        for p in [IVec2::new(0, 0), IVec2::new(5, 3), IVec2::new(11, 7)] {
+            let traced = frame.guide_pixel(p);
+            let z = crate::reference::unpack_guide(imported.guide.at(p)).linear_depth;
+            assert!((z - depth.at(traced)[0]).abs() < 1e-4 * z, "{p}");
+            let moved = unpack_surface_motion(imported.surface_motion.at(p)).motion;
+            assert_eq!(moved, [3.0 / ratio[0], -5.0 / ratio[1]], "{light:?}");
+            let slope = crate::reference::unpack_depth_gradient(imported.depth_gradient.at(p));
+            assert!((slope[0] - 0.5 * ratio[0]).abs() < 2e-3 && (slope[1] - 0.25 * ratio[1]).abs() < 2e-3, "{slope:?}");
         }
     }
 }

@@ -1,7 +1,6 @@
 //! Fixed points, jitter, light that changes, what is followed and what is dropped, and pictures larger than what is rendered.
 
 use super::*;
-use crate::reference::guide::pack_guide;
 use crate::reference::test_scene::*;
 use crate::reference::{pack_surface_motion, round_to_half};
 use crate::{Config, FrameParams};
@@ -25,20 +24,23 @@ fn tuned(
     tuning: &Tuning,
     guides: &Guides,
     radiance: &Image<[f32; 4]>,
-    previous: Option<&Image<[f32; 4]>>,
+    previous: Option<&Image<Kept>>,
 ) -> Upscaled {
-    let previous = previous.map(|history| (&guides.guide, history));
-    let (guide, surface_motion) = (&guides.guide, &guides.surface_motion);
-    let inputs = UpscaleInputs { radiance: &[radiance], albedo: None, tone_mapped: false, guide, surface_motion, previous };
+    let (guide, motion) = (&guides.guide, Motion::Stored(&guides.surface_motion));
+    let inputs = UpscaleInputs { radiance: &[radiance], albedo: None, tone_mapped: false, guide, motion, previous };
     temporal_upscale(frame, tuning, frame.output_extent, Outgoing::Halves, &inputs)
 }
 
-fn run(frame: &FrameConstants, guides: &Guides, radiance: &Image<[f32; 4]>, previous: Option<&Image<[f32; 4]>>) -> Upscaled {
+fn run(frame: &FrameConstants, guides: &Guides, radiance: &Image<[f32; 4]>, previous: Option<&Image<Kept>>) -> Upscaled {
     tuned(frame, &svgf_tuning(), guides, radiance, previous)
 }
 
 fn flat(extent: [u32; 2]) -> Guides {
     guides(extent, |_, _| surface(4.0))
+}
+
+fn are_finite(history: &Image<Kept>) -> bool {
+    history.texels().iter().all(|kept| kept.even.is_finite() && kept.weight.is_finite())
 }
 
 fn largest_difference(a: &Image<[f32; 4]>, b: &Image<[f32; 4]>) -> f32 {
@@ -51,12 +53,11 @@ fn history_of(
     guides: &Guides,
     radiance: &Image<[f32; 4]>,
     colour: impl Fn(i32, i32) -> f32,
-) -> Image<[f32; 4]> {
-    let Upscaled { history, picture } = run(&reset(*frame), guides, radiance, None);
+) -> Image<Kept> {
+    let Upscaled { history, picture, .. } = run(&reset(*frame), guides, radiance, None);
     paint(history.extent(), |x, y| {
-        let (ratio, now) = (history.at(IVec2::new(x, y)), picture.at(IVec2::new(x, y)));
-        let [r, g, b] = [0, 1, 2].map(|c| ratio[c] / now[c] * colour(x, y));
-        [r, g, b, 100.0]
+        let (kept, now) = (history.at(IVec2::new(x, y)), rgb(&picture, IVec2::new(x, y)));
+        Kept::new(ratio_of(kept.even) / now * colour(x, y), 100.0, kept.depth)
     })
 }
 
@@ -71,9 +72,11 @@ fn a_constant_image_is_a_fixed_point() {
             for _ in 0..20 {
                 upscaled = run(&frame, &flat(EXTENT), &constant, Some(&upscaled.history));
             }
+            // Components of the history have the steps of the largest one.
+            let step = colour[1] / 2048.0;
             for texel in upscaled.picture.texels() {
-                let error = (0..3).map(|c| (texel[c] - colour[c]).abs() / colour[c].max(1e-4)).fold(0.0, f32::max);
-                assert!(error < 2e-3, "{texel:?} of {colour:?} at {output:?}");
+                let is_near = |c: usize| (texel[c] - colour[c]).abs() <= 2e-3 * colour[c] + step.max(2e-7);
+                assert!((0..3).all(is_near), "{texel:?} of {colour:?} at {output:?}");
             }
         }
     }
@@ -108,11 +111,15 @@ fn a_sample_weighs_as_much_as_the_past_leaves_it() {
             let given = tuned(&frame, &tuning, &scene, &checks, Some(&history));
             let past = (1.0 / alpha - 1.0) * longer;
             let around = run(&reset(frame), &scene, &checks, None);
-            assert!((given.history.at(p)[3] - past - around.history.at(p)[3]).abs() < 0.01 * past, "{motion:?} {alpha}");
+            // With a step of the history's weight.
+            assert!(
+                (given.history.at(p).weight - past - around.history.at(p).weight).abs() < 0.01 * past + 0.02,
+                "{motion:?} {alpha}"
+            );
         }
     }
     let first = run(&reset(frame(EXTENT)), &flat(EXTENT), &grey, None);
-    let samples = first.history.at(p)[3];
+    let samples = first.history.at(p).weight;
     assert!((1.0..3.0).contains(&samples), "one sample in its middle, and parts of its neighbours: {samples}");
 }
 
@@ -122,12 +129,10 @@ fn light_that_changes_causes_no_lag() {
     let lit = |light: f32| albedo.map(|a| [a[0] * light, a[0] * light, a[0] * light, 1.0]);
     let frame = frame_to(EXTENT, OUTPUT);
     let scene = flat(EXTENT);
-    let step = |light: f32, previous: Option<&Image<[f32; 4]>>| {
-        let previous = previous.map(|history| (&scene.guide, history));
-        let (guide, surface_motion) = (&scene.guide, &scene.surface_motion);
+    let step = |light: f32, previous: Option<&Image<Kept>>| {
+        let (guide, motion) = (&scene.guide, Motion::Stored(&scene.surface_motion));
         let radiance = lit(light);
-        let inputs =
-            UpscaleInputs { radiance: &[&radiance], albedo: Some(&albedo), tone_mapped: false, guide, surface_motion, previous };
+        let inputs = UpscaleInputs { radiance: &[&radiance], albedo: Some(&albedo), tone_mapped: false, guide, motion, previous };
         temporal_upscale(&frame, &svgf_tuning(), OUTPUT, Outgoing::Halves, &inputs)
     };
     let settle = |light| (0..30).fold(step(light, None), |now, _| step(light, Some(&now.history)));
@@ -141,7 +146,7 @@ fn light_that_changes_causes_no_lag() {
 #[test]
 fn history_is_clipped_to_the_neighbourhood() {
     let dark = Image::new(EXTENT, [0.1, 0.2, 0.1, 1.0].map(round_to_half));
-    let ghost = Image::new(EXTENT, [9.0, 0.1, 9.0, 9.0]);
+    let ghost = Image::new(EXTENT, Kept::new(Vec3::new(9.0, 0.1, 9.0), 9.0, 4.0));
     let picture = run(&frame(EXTENT), &flat(EXTENT), &dark, Some(&ghost)).picture;
     assert!(largest_difference(&picture, &dark) < 2e-3, "{:?}", picture.texels()[0]);
     let checks = paint(EXTENT, |x, y| [if (x + y) % 2 == 0 { 0.1 } else { 0.3 }; 4]);
@@ -159,7 +164,8 @@ fn a_grey_neighbourhood_keeps_a_history_that_rounding_tinted() {
     let grey = paint(EXTENT, |x, y| [if (x + y) % 2 == 0 { 0.4 } else { 0.6 }; 4].map(round_to_half));
     let frame = frame(EXTENT);
     let at = |red: f32| {
-        let history = history_of(&frame, &flat(EXTENT), &grey, |_, _| 0.55).map(|t| [t[0] * red, t[1], t[2], t[3]]);
+        let history = history_of(&frame, &flat(EXTENT), &grey, |_, _| 0.55)
+            .map(|kept| Kept::new(ratio_of(kept.even) * Vec3::new(red, 1.0, 1.0), kept.weight, kept.depth));
         tuned(&frame, &long_past(), &flat(EXTENT), &grey, Some(&history)).picture.at(IVec2::new(5, 5))[1]
     };
     let grey = at(1.0);
@@ -185,7 +191,7 @@ fn history_follows_the_nearest_surface() {
     let picture = tuned(&frame, &tuning, &scene, &checks, Some(&columns)).picture;
     for (x, column) in [(4, 2.0), (6, 4.0), (7, 7.0), (9, 9.0)] {
         let p = IVec2::new(x, 5);
-        let around = (light.picture.at(p)[0]) / light.history.at(p)[0];
+        let around = (light.picture.at(p)[0]) / ratio_of(light.history.at(p).even).x;
         let (value, expected) = (picture.at(p)[0], 0.05 * column / 0.36 * around);
         assert!((value - expected).abs() < 0.03, "{x}: {value} for {expected}");
     }
@@ -195,21 +201,19 @@ fn history_follows_the_nearest_surface() {
 fn a_surface_that_was_not_there_has_no_past() {
     let frame = FrameConstants { jitter: [0.2, 0.1], ..frame_to(EXTENT, OUTPUT) };
     let image = noise(EXTENT, 3);
-    let run_after = |before: &Guides| {
-        let (guide, surface_motion) = (&flat(EXTENT).guide, &flat(EXTENT).surface_motion);
-        let history = Image::new(OUTPUT, [1.0, 1.0, 1.0, 2.0]);
-        let previous = Some((&before.guide, &history));
-        let inputs = UpscaleInputs { radiance: &[&image], albedo: None, tone_mapped: false, guide, surface_motion, previous };
+    let run_after = |before: &dyn Fn(i32, i32) -> f32| {
+        let (guide, motion) = (&flat(EXTENT).guide, Motion::Stored(&flat(EXTENT).surface_motion));
+        let history = paint(OUTPUT, |x, y| Kept::new(Vec3::ONE, 2.0, before(x, y)));
+        let previous = Some(&history);
+        let inputs = UpscaleInputs { radiance: &[&image], albedo: None, tone_mapped: false, guide, motion, previous };
         temporal_upscale(&frame, &svgf_tuning(), OUTPUT, Outgoing::Halves, &inputs)
     };
     let first = run(&reset(frame), &flat(EXTENT), &image, None);
-    assert_eq!(run_after(&guides(EXTENT, |_, _| surface(5.0))), first);
-    assert_ne!(run_after(&flat(EXTENT)), first);
-    assert_eq!(run_after(&guides(EXTENT, |_, _| Surface::default())), first);
-    // Jitter hid the near thing from all pixels but one.
-    let mut thin = guides(EXTENT, |_, _| surface(9.0));
-    *thin.guide.get_mut(6, 5).expect("inside") = pack_guide(&surface(4.0));
-    let after = run_after(&thin);
+    assert_eq!(run_after(&|_, _| 5.0), first);
+    assert_ne!(run_after(&|_, _| 4.0), first);
+    assert_eq!(run_after(&|_, _| 0.0), first);
+    // Jitter hid the near thing from all pixels but those of one sample.
+    let after = run_after(&|x, y| if [x / 2, y / 2] == [6, 5] { 4.0 } else { 9.0 });
     let differs = |x: i32, y: i32| after.picture.at(IVec2::new(x, y)) != first.picture.at(IVec2::new(x, y));
     assert!(differs(12, 12) && differs(10, 12) && !differs(4, 12) && !differs(20, 12));
 }
@@ -218,11 +222,12 @@ fn a_surface_that_was_not_there_has_no_past() {
 #[test]
 fn what_was_just_uncovered_keeps_little_of_the_colour_beside_it() {
     let (frame, image) = (frame_to(EXTENT, OUTPUT), noise(EXTENT, 3));
-    let covered = guides(EXTENT, |x, _| surface(if x < 6 { 2.0 } else { 4.0 }));
-    let (guide, surface_motion) = (&flat(EXTENT).guide, &flat(EXTENT).surface_motion);
-    let history = Image::new(OUTPUT, [50.0, 50.0, 50.0, 2.0]);
-    let previous = Some((&covered.guide, &history));
-    let inputs = UpscaleInputs { radiance: &[&image], albedo: None, tone_mapped: false, guide, surface_motion, previous };
+    let (guide, motion) = (&flat(EXTENT).guide, Motion::Stored(&flat(EXTENT).surface_motion));
+    // The history has the depth of the nearest surface around, so the outline belongs to the near thing.
+    let covered = |x: i32| if x < 14 { 2.0 } else { 4.0 };
+    let history = paint(OUTPUT, |x, _| Kept::new(Vec3::splat(50.0), 2.0, covered(x)));
+    let previous = Some(&history);
+    let inputs = UpscaleInputs { radiance: &[&image], albedo: None, tone_mapped: false, guide, motion, previous };
     let after = temporal_upscale(&frame, &svgf_tuning(), OUTPUT, Outgoing::Halves, &inputs).picture;
     let brightest = |x: i32| (2..OUTPUT[1] as i32 - 2).map(|y| after.at(IVec2::new(x, y))[1]).fold(0.0, f32::max);
     let (beside, away) = (brightest(12), brightest(18));
@@ -233,10 +238,10 @@ fn what_was_just_uncovered_keeps_little_of_the_colour_beside_it() {
 fn off_screen_and_reset_take_the_current_colour() {
     for output in [EXTENT, OUTPUT] {
         let image = noise(EXTENT, 3);
-        let poison = Image::new(output, [f32::NAN; 4]);
+        let poison = Image::new(output, Kept { even: Vec3::NAN, weight: f32::NAN, depth: 4.0 });
         let frame = frame_to(EXTENT, output);
         let first = run(&frame, &flat(EXTENT), &image, None);
-        assert!(all_finite(&first.picture) && all_finite(&first.history));
+        assert!(all_finite(&first.picture) && are_finite(&first.history));
         assert_eq!(run(&reset(frame), &flat(EXTENT), &image, Some(&poison)), first);
         let mut away = flat(EXTENT);
         away.surface_motion = Image::new(EXTENT, pack_surface_motion([16384.0, 0.0], None));
@@ -253,7 +258,7 @@ fn absurd_light_stays_finite() {
             let first = run(&reset(frame), &flat(EXTENT), &image, None);
             let second = run(&frame, &flat(EXTENT), &image, Some(&first.history));
             for upscaled in [first, second] {
-                assert!(all_finite(&upscaled.picture) && all_finite(&upscaled.history), "{light} at {output:?}");
+                assert!(all_finite(&upscaled.picture) && are_finite(&upscaled.history), "{light} at {output:?}");
                 // What is no number would be stored as black.
                 assert!(upscaled.picture.texels().iter().all(|t| t[0] > 0.0), "{light} at {output:?}");
             }
@@ -265,7 +270,7 @@ fn absurd_light_stays_finite() {
 fn neither_parity_nor_the_allocation_changes_a_bit() {
     let large = [29, 23];
     let image = noise(EXTENT, 4);
-    let history = noise(EXTENT, 5).map(|t| [t[0], t[1], t[2], 2.0]);
+    let history = noise(EXTENT, 5).map(|t| Kept::new(Vec3::new(t[0], t[1], t[2]), 2.0, 4.0));
     let mut tight = flat(EXTENT);
     tight.surface_motion = Image::new(EXTENT, pack_surface_motion([0.75, -3.5], None));
     let loose = Guides {
@@ -282,12 +287,10 @@ fn neither_parity_nor_the_allocation_changes_a_bit() {
         frame_index: 1,
         ..frame(large)
     };
-    let [image, history] = [image, history].map(|i| embed(&i, large, [f32::NAN; 4]));
+    let image = embed(&image, large, [f32::NAN; 4]);
+    let history = embed(&history, large, Kept { even: Vec3::NAN, weight: f32::NAN, depth: 4.0 });
     assert_eq!(run(&in_large, &loose, &image, Some(&history)), expected);
 }
-
-/// Guide and history of the frame before.
-type Past = (Image<[u16; 4]>, Image<[f32; 4]>);
 
 /// Frames of a still picture under jitter, with or without a past. `render(i)`: the extent of frame i.
 fn gathered(
@@ -300,7 +303,7 @@ fn gathered(
     let largest = output;
     let config = Config { output_extent: Some(output), ..Config::new(render(0)) };
     let mut state = crate::FrameState::default();
-    let mut past: Option<Past> = None;
+    let mut past: Option<Image<Kept>> = None;
     let radical = |base: u32, i: u32| {
         let (mut i, mut f, mut r) = (i + 1, 1.0, 0.0);
         while i > 0 {
@@ -324,12 +327,11 @@ fn gathered(
         });
         let scene = flat(extent);
         let white = Image::new(extent, [1.0; 4]);
-        let (guide, surface_motion) = (&scene.guide, &scene.surface_motion);
-        let previous = past.as_ref().filter(|_| keeps).map(|(guide, history)| (guide, history));
-        let inputs =
-            UpscaleInputs { radiance: &[&image], albedo: Some(&white), tone_mapped: false, guide, surface_motion, previous };
+        let (guide, motion) = (&scene.guide, Motion::Stored(&scene.surface_motion));
+        let previous = past.as_ref().filter(|_| keeps);
+        let inputs = UpscaleInputs { radiance: &[&image], albedo: Some(&white), tone_mapped: false, guide, motion, previous };
         let now = temporal_upscale(&frame, &svgf_tuning(), output, Outgoing::Halves, &inputs);
-        past = Some((scene.guide.clone(), now.history));
+        past = Some(now.history);
         pictures.push(now.picture);
     }
     pictures
@@ -426,8 +428,8 @@ fn an_edge_of_a_lamp_is_as_smooth_as_a_display_shows_it() {
         };
         let at = |tone_mapped: bool| {
             let radiance = paint(EXTENT, |x, _| [lamp(x as f32); 4]);
-            let (guide, surface_motion) = (&scene.guide, &scene.surface_motion);
-            let inputs = UpscaleInputs { radiance: &[&radiance], albedo: None, tone_mapped, guide, surface_motion, previous: None };
+            let (guide, motion) = (&scene.guide, Motion::Stored(&scene.surface_motion));
+            let inputs = UpscaleInputs { radiance: &[&radiance], albedo: None, tone_mapped, guide, motion, previous: None };
             let frame = FrameConstants { jitter: [0.5, 0.0], ..frame(EXTENT) };
             show(temporal_upscale(&reset(frame), &tuning, EXTENT, Outgoing::Halves, &inputs).picture.at(IVec2::new(6, 5)))
         };
@@ -444,13 +446,28 @@ fn a_dark_thing_beside_a_lamp_keeps_its_light() {
     // The past lies between pixels, where the weights of Catmull and Rom are negative.
     scene.surface_motion = Image::new(EXTENT, pack_surface_motion([0.5, 0.0], Some((0.0, [0.0, 0.0, 1.0]))));
     let radiance = paint(EXTENT, |x, _| [lamp(x); 4]);
-    let history = paint(EXTENT, |x, _| [lamp(x), lamp(x), lamp(x), 100.0]);
-    let (guide, surface_motion) = (&scene.guide, &scene.surface_motion);
-    let previous = Some((guide, &history));
-    let inputs = UpscaleInputs { radiance: &[&radiance], albedo: None, tone_mapped: true, guide, surface_motion, previous };
+    let history = paint(EXTENT, |x, _| Kept::new(Vec3::splat(lamp(x)), 100.0, 4.0));
+    let (guide, motion) = (&scene.guide, Motion::Stored(&scene.surface_motion));
+    let previous = Some(&history);
+    let inputs = UpscaleInputs { radiance: &[&radiance], albedo: None, tone_mapped: true, guide, motion, previous };
     let picture = temporal_upscale(&frame(EXTENT), &long_past(), EXTENT, Outgoing::Halves, &inputs).picture;
     for x in 0..EXTENT[0] as i32 {
         let shown = picture.at(IVec2::new(x, 5))[0];
         assert!((0.045..51.0).contains(&shown), "{shown} at {x}");
+    }
+}
+
+#[test]
+fn a_dark_gradient_has_no_bands() {
+    // A ramp that rises by less than a step of the history in a pixel.
+    let output = [64, 8];
+    let ramp = |s: Vec2| 0.02 * (1.0 + 0.01 * s.x / 64.0);
+    let pictures = gathered(output, true, |_| [32, 4], ramp);
+    let last = &pictures[47];
+    let at = |x: i32| (2..6).map(|y| last.at(IVec2::new(x, y))[0]).sum::<f32>() / 4.0;
+    // A step of an 8-bit display is 0.0003 there, after its curve.
+    for x in 2..62 {
+        let (shown, right) = (at(x), ramp(Vec2::new(x as f32 + 0.5, 4.0)));
+        assert!((shown - right).abs() < 0.001 * right, "{shown} at {x} for {right}");
     }
 }
