@@ -112,6 +112,7 @@ fn configured(choices: &mut Choices<'_>) -> Result<Declaration, Error> {
         debug_view: choices.one_in(2),
         output_extent: choices.one_in(2).then(|| extent(choices)),
         light_extent: choices.one_in(4).then(|| allocated_extent.map(|side| side / 2)),
+        image_extent: choices.one_in(4).then(|| extent(choices)),
         reactive_mask: choices.one_in(2),
         coloured_visibility: choices.one_in(2),
         ambient_occlusion: choices.one_in(2),
