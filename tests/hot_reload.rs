@@ -89,7 +89,7 @@ fn a_shader_that_does_not_fit_is_refused_and_the_old_one_stays() {
     let edits = [
         (
             "modulate.comp",
-            "binding = 5, OUTGOING_FORMAT",
+            "binding = DENOISED_RADIANCE, OUTGOING_FORMAT",
             "binding = 5, rgba32f",
             "set 0 binding 5 is `StorageImage2D<Rgba32f> WriteOnly`",
         ),
