@@ -355,9 +355,15 @@ Past best_past(Centre c, float roughness, inout float hit_distance, out float im
         if (found) surface.frames = worth(surface.frames, moved, tolerance);
     } else {
         steadiness = 0.0;
-        if (found && moved > STILL) image = past_at(c, position);
-        if (surface.found) surface.frames = frames_by_light(c, c.mirror.surface_position, surface, AGREES_WIDEST, true);
-        if (image.found) image.frames = frames_by_light(c, position, image, AGREES_WIDEST, true);
+        float kept = 0.0;
+        if (surface.found) {
+            float frames = frames_by_light(c, c.mirror.surface_position, surface, AGREES_WIDEST, true);
+            kept = frames / max(surface.frames, 1e-6);
+            surface.frames = frames;
+        }
+        // Where light agrees with the past of the surface, nothing speaks for an image.
+        if (found && moved > STILL && kept < 1.0) image = past_at(c, position);
+        if (image.found) image.frames = (1.0 - kept) * frames_by_light(c, position, image, AGREES_WIDEST, true);
     }
     if (image.found && is_known) {
         vec2 remembered = position;

@@ -78,6 +78,7 @@ fn both_lights() {
 
 /// The same light, once as diffuse and once as specular light: of roughness 1, which is what a host says that gives none. `best` looks the
 /// past of diffuse light up by a cubic, which is sharper where the camera moves. In `asvgf` the widest lobe takes a little less from far taps.
+/// Light whose place nobody knows is also compared by logarithms, which in `best` takes .3 % for changes.
 /// Two stages that compute the same in different order, and a floor of the deviation that tells noise by how its neighbours bend.
 const AS_GOOD: f64 = 1.0 + 1e-4;
 
@@ -86,7 +87,7 @@ fn rough_without_distances() {
         (Preset::Svgf, 0.0, AS_GOOD),
         (Preset::Svgf, 0.15, AS_GOOD),
         (Preset::Asvgf, 0.15, 1.005),
-        (Preset::Best, 0.0, AS_GOOD),
+        (Preset::Best, 0.0, 1.005),
         (Preset::Best, 0.15, 1.02),
     ];
     for (preset, speed, bound) in cases {

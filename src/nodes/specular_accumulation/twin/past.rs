@@ -179,17 +179,21 @@ impl Scene<'_> {
         let position = position_of(before.image);
         let moved = position.map_or(0.0, |position| position.distance(c.mirror.surface_position));
         let steadiness = position.filter(|_| is_known).map_or(0.0, |position| share * self.steadiness(c, radius, position));
+        let mut kept = 0.0;
+        if let Some(past) = surface.as_mut().filter(|_| !is_known) {
+            let frames = self.frames_by_light(c, c.mirror.surface_position, past, AGREES_WIDEST, true);
+            kept = frames / past.frames.max(1e-6);
+            past.frames = frames;
+        }
         let image = position.filter(|position| match is_known {
             true => self.is_in_lobe(*position, before.thing, tried.roughness),
-            false => moved > STILL,
+            // Where light agrees with the past of the surface, nothing speaks for an image.
+            false => moved > STILL && kept < 1.0,
         });
         let mut image = image.and_then(|position| self.past_at(c, position));
         if !is_known {
-            let places = [(&mut surface, Some(c.mirror.surface_position)), (&mut image, position)];
-            for (past, position) in places {
-                if let (Some(past), Some(position)) = (past, position) {
-                    past.frames = self.frames_by_light(c, position, past, AGREES_WIDEST, true);
-                }
+            if let (Some(past), Some(position)) = (&mut image, position) {
+                past.frames = (1.0 - kept) * self.frames_by_light(c, position, past, AGREES_WIDEST, true);
             }
         } else {
             if let Some(past) = &mut surface {
