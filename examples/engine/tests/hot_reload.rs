@@ -90,7 +90,8 @@ fn what_is_saved_is_compiled_and_what_is_wrong_has_file_and_line() {
     let changed = sources.saved_one();
     assert_eq!(changed.file, "glsl/modulate.comp");
     let names: Vec<_> = shaders(changed).iter().map(|s| (s.name().to_owned(), s.owner())).collect();
-    assert_eq!(names, ["modulate_float_0", "modulate_float_1"].map(|name| (name.to_owned(), Owner::Denoiser)));
+    let expected = ["modulate_float_0", "modulate_float_1", "modulate_float_0_upsampled_1", "modulate_float_1_upsampled_1"];
+    assert_eq!(names, expected.map(|name| (name.to_owned(), Owner::Denoiser)));
 
     sources.edit("glsl/modulate.comp", "outgoing(0.5", "outgoing(no_such_thing");
     let line = sources.line_of("glsl/modulate.comp", "no_such_thing");
@@ -98,7 +99,7 @@ fn what_is_saved_is_compiled_and_what_is_wrong_has_file_and_line() {
     assert!(problem.starts_with(&format!("glsl/modulate.comp:{line}: error: 'no_such_thing'")), "{problem}");
 
     sources.edit("glsl/modulate.comp", "outgoing(no_such_thing", "outgoing(2.0");
-    assert_eq!(shaders(sources.saved_one()).len(), 2);
+    assert_eq!(shaders(sources.saved_one()).len(), 4);
 
     sources.edit("glsl/eaw.comp", "void main", "\nvoid main");
     let variants: Vec<_> = shaders(sources.saved_one()).iter().map(|s| s.name().to_owned()).collect();
@@ -134,11 +135,11 @@ fn what_the_program_was_not_built_for_is_refused() {
     for (file, old, new, difference) in [
         (
             "glsl/modulate.comp",
-            "binding = 5, OUTGOING_FORMAT",
-            "binding = 5, rgba32f",
+            "binding = DENOISED_RADIANCE, OUTGOING_FORMAT",
+            "binding = DENOISED_RADIANCE, rgba32f",
             "set 0 binding 5 is `StorageImage2D<Rgba32f>",
         ),
-        ("demo/glsl/gbuffer.comp", "local_size_x = 8", "local_size_x = 4", "LocalSize is `4 x 8 x 1`"),
+        ("demo/glsl/lamp.comp", "local_size_x = 8", "local_size_x = 4", "LocalSize is `4 x 8 x 1`"),
         ("glsl/eaw.comp", "SIGNALS=2", "SIGNALS=3", "`eaw_signals_3`: the program has none"),
     ] {
         sources.edit(file, old, new);
@@ -191,7 +192,8 @@ fn pipelines_are_replaced_between_frames_and_the_history_goes_on() {
 
     let scattered = |tracer: &PathTracer| gpu.0.read_image(&tracer.outputs().scattered).expect("an image");
     assert!(scattered(&tracer).iter().any(|t| t[0] > 0.1));
-    sources.edit("demo/glsl/include/lighting.glsl", "lighting = trace_path(", "if (pixel.x < 0) lighting = trace_path(");
+    let lit = "lighting = trace_path(s, sight.from";
+    sources.edit("demo/glsl/include/pixel_lighting.glsl", lit, &format!("if (s.surface_id == ~0u) {lit}"));
     let dark: Vec<_> = sources.saved().into_iter().flat_map(shaders).collect();
     let mut of_denoiser = 0;
     for shader in &dark {
@@ -200,7 +202,7 @@ fn pipelines_are_replaced_between_frames_and_the_history_goes_on() {
         assert_eq!((of_tracer, again), (shader.name() == "path_trace", shader.name() == "path_trace_reshaded"));
         of_denoiser += usize::from(again);
     }
-    assert_eq!((dark.len(), of_denoiser), (2, 1));
+    assert_eq!((dark.len(), of_denoiser), (5, 1));
     frame(&mut tracer, &mut denoiser, 3);
     assert!(scattered(&tracer).iter().all(|t| t[0] == 0.0), "it still scatters light");
 }

@@ -103,7 +103,7 @@ struct Texel {
 /// Imports the host's guides of one frame: for each pixel of light those of the pixel that it was traced for.
 pub(crate) fn import(frame: &FrameConstants, inputs: &ImportInputs) -> ImportOutputs {
     let (guides, of_guides) = (inputs.depth.extent(), frame.of_guides());
-    let extent = [0, 1].map(|i| guides[i] / frame.light_ratio[i]);
+    let extent = [0, 1].map(|i| guides[i] / frame.light_ratio[i].max(1));
     let projections = Projections::new(&of_guides);
     let depths = Image::compute(guides, of_guides.render_extent, |p| {
         projections.linear_depth(p.into(), inputs.depth.at(p)[0], frame.background_depth)
