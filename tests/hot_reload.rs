@@ -142,7 +142,7 @@ fn every_shader_may_take_its_own_place() {
 
 fn what_does_not_compile_is_named_by_file_and_line() {
     let line_of = |text: &str, what: &str| 1 + text.lines().position(|l| l.contains(what)).expect("a line");
-    for (file, old) in [("modulate.comp", "vec3 irradiance ="), ("include/guide.glsl", "return")] {
+    for (file, old) in [("modulate.comp", "vec3 radiance ="), ("include/guide.glsl", "return")] {
         let sources = Sources::new();
         sources.edit(file, old, &format!("no_such_thing(); {old}"));
         let path = sources.0.path().join(file);
