@@ -47,7 +47,8 @@ const BOXES: [([f32; 3], [f32; 3], [f32; 3]); 7] = [
 ];
 
 /// Place on the floor, radius, colour, roughness and whether it is metal.
-const BALLS: [([f32; 2], f32, [f32; 3], f32, bool); 4] = [
+type Ball = ([f32; 2], f32, [f32; 3], f32, bool);
+const BALLS: [Ball; 4] = [
     ([-1.9, -0.8], 0.8, [0.8, 0.6, 0.25], 0.9, false),
     ([0.0, -1.2], 0.9, [0.9, 0.8, 0.7], 0.25, true),
     ([1.3, 0.6], 0.5, [0.15, 0.35, 0.7], 0.3, false),
