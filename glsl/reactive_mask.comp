@@ -1,8 +1,9 @@
 #version 450
 // Tells an upscaler where its own history of the denoised picture is worth little: for FSR, XeSS and DLSS.
 // Source: none; the share of new light is that of [SVGF] 4.1, the change of light that of [ASVGF] 3.5.
-// In:  rendered_guide; guide of the pixels with light, which may be fewer; luminance_history per signal; history_confidence; denoised radiance; emission of the host. Out: reactive_mask: r: share of the
-//      pixel that is new in this frame; g: share of its light that no filter has seen, since it is emitted; b: 0; a: 1.
+// In:  rendered_guide; guide of the pixels with light, which may be fewer; luminance_history per signal; history_confidence; denoised radiance;
+//      emission of the host. Out: reactive_mask: r: share of the pixel that is new in this frame; g: share of its light that no filter has seen,
+//      since it is emitted; b: 0; a: 1.
 // optional: luminance_history_1, history_confidence, emission
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
@@ -22,11 +23,11 @@ layout(push_constant) uniform Push {
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-const uint RADIANCE = 5u;
-const uint REACTIVE_MASK = 7u;
 const uint LUMINANCE_HISTORY_1 = 3u;
 const uint HISTORY_CONFIDENCE = 4u;
+const uint RADIANCE = 5u;
 const uint EMISSION = 6u;
+const uint REACTIVE_MASK = 7u;
 
 layout(set = 0, binding = 1) uniform utexture2D guide;
 layout(set = 0, binding = 2) uniform utexture2D luminance_history_0;

@@ -9,14 +9,10 @@ mod scene;
 use atrous::config::{Conventions, MotionDirection, NormalEncoding};
 use atrous::reference::Image;
 use atrous_conventions::{check, OwnedGuides};
-use atrous_lab::pictures::{Picture, Strip};
 use bevy::pbr::DefaultOpaqueRendererMethod;
 use bevy::prelude::*;
-use bevy::render::render_asset::RenderAssets;
-use bevy::render::texture::GpuImage;
-use bevy::render::RenderApp;
 use bevy_atrous::{Capture, DenoisePlugin};
-use host_bevy::{denoiser, difference, headless, picture, print_replay, readback, rmse, Result};
+use host_bevy::{denoiser, difference, headless, print_replay, readback, shown, Pictures, Result};
 use path_tracer::Traced;
 use scene::{Captured, LikeSolari, Scene, Target, EXTENT};
 use std::path::PathBuf;
@@ -119,9 +115,7 @@ fn main() -> Result<()> {
     println!("albedo of the denoiser: {:.4} of the pixels as traced", share_alike(&albedo, &traced));
     let denoised = readback::radiance(world, view.denoised().ok_or("no output")?)?;
     let target = app.world().resource::<Target>().0.clone();
-    let world = app.sub_app(RenderApp).world();
-    let image = world.resource::<RenderAssets<GpuImage>>().get(&target).ok_or("no target")?;
-    let shown: Vec<[u8; 3]> = readback::texture(world, &image.texture)?.chunks_exact(4).map(|p| [p[0], p[1], p[2]]).collect();
+    let shown = shown(&app, &target)?;
     println!("Bevy shows the denoised picture, off by at most {} of 255", difference(&shown, &denoised));
 
     // The same frame once more, with many paths: what the denoiser makes of it does not matter.
@@ -138,16 +132,10 @@ fn main() -> Result<()> {
     println!("with jitter");
     check_conventions(&known[2], &known[3])?;
     print_replay(captured.path(), &denoised)?;
-    let errors = [rmse(&noisy, &reference), rmse(&denoised, &reference)];
-    println!("RMSE noisy {:.4}\nRMSE denoised {:.4}", errors[0], errors[1]);
-    if let Some(folder) = folder {
-        std::fs::create_dir_all(&folder)?;
-        let strip = Strip::new("Bevy's prepass, one path a pixel")
-            .panel(format!("noisy\nRMSE {:.4}", errors[0]), picture(EXTENT, &noisy)?)
-            .panel(format!("denoised\nRMSE {:.4}", errors[1]), picture(EXTENT, &denoised)?)
-            .panel(format!("reference\n{REFERENCE} paths a pixel"), picture(EXTENT, &reference)?);
-        strip.render()?.write_png(folder.join("host_bevy.png"))?;
-        Picture::from_pixels(EXTENT[0], EXTENT[1], shown)?.write_png(folder.join("host_bevy_shown.png"))?;
-    }
-    Ok(())
+    let pictures = Pictures { extent: EXTENT, noisy: &noisy, denoised: &denoised, reference: &reference, shown };
+    pictures.report(
+        "Bevy's prepass, one path a pixel",
+        &format!("{REFERENCE} paths a pixel"),
+        folder.map(|folder| (folder, "host_bevy")),
+    )
 }

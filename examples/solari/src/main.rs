@@ -5,14 +5,10 @@
 
 mod scene;
 
-use atrous_lab::pictures::{Picture, Strip};
 use bevy::prelude::*;
-use bevy::render::render_asset::RenderAssets;
-use bevy::render::texture::GpuImage;
-use bevy::render::RenderApp;
 use bevy::solari::prelude::SolariPlugins;
 use bevy_atrous::{Capture, DenoisePlugin};
-use host_bevy::{denoiser, difference, headless, picture, print_replay, readback, rmse, Result};
+use host_bevy::{denoiser, difference, headless, print_replay, readback, shown, Pictures, Result};
 use scene::{Captured, Frame, Target, EXTENT};
 use std::path::PathBuf;
 
@@ -42,9 +38,7 @@ fn main() -> Result<()> {
     let (world, view) = denoiser(&mut app)?;
     let denoised = readback::radiance(world, view.denoised().ok_or("no output")?)?;
     let target = app.world().resource::<Target>().0.clone();
-    let world = app.sub_app(RenderApp).world();
-    let image = world.resource::<RenderAssets<GpuImage>>().get(&target).ok_or("no target")?;
-    let shown: Vec<[u8; 3]> = readback::texture(world, &image.texture)?.chunks_exact(4).map(|p| [p[0], p[1], p[2]]).collect();
+    let shown = shown(&app, &target)?;
     println!("Bevy shows the denoised picture, off by at most {} of 255", difference(&shown, &denoised));
 
     let mut reference = vec![[0.0; 3]; light.len()];
@@ -54,16 +48,6 @@ fn main() -> Result<()> {
         reference.iter_mut().flatten().zip(light.iter().flatten()).for_each(|(mean, light)| *mean += light / REFERENCE as f32);
     }
     print_replay(captured.path(), &denoised)?;
-    let errors = [rmse(&light, &reference), rmse(&denoised, &reference)];
-    println!("RMSE noisy {:.4}\nRMSE denoised {:.4}", errors[0], errors[1]);
-    if let Some(folder) = folder {
-        std::fs::create_dir_all(&folder)?;
-        let strip = Strip::new("Bevy's Solari")
-            .panel(format!("noisy\nRMSE {:.4}", errors[0]), picture(EXTENT, &light)?)
-            .panel(format!("denoised\nRMSE {:.4}", errors[1]), picture(EXTENT, &denoised)?)
-            .panel(format!("reference\nmean of {REFERENCE} frames"), picture(EXTENT, &reference)?);
-        strip.render()?.write_png(folder.join("solari.png"))?;
-        Picture::from_pixels(EXTENT[0], EXTENT[1], shown)?.write_png(folder.join("solari_shown.png"))?;
-    }
-    Ok(())
+    let pictures = Pictures { extent: EXTENT, noisy: &light, denoised: &denoised, reference: &reference, shown };
+    pictures.report("Bevy's Solari", &format!("mean of {REFERENCE} frames"), folder.map(|folder| (folder, "solari")))
 }
