@@ -127,7 +127,9 @@ step cargo test --workspace --features capture,window,hot-reload --quiet
 swiftshader=/usr/lib/chromium/vk_swiftshader_icd.json
 if [ -e "$swiftshader" ]; then
     for filter in parity::one_signal parity::specular_fast where_nothing_changed bad_values_are_forgotten graphs::wild visibility:: contract::; do
-        VK_ICD_FILENAMES=$swiftshader step cargo test --workspace --features capture,window,hot-reload --quiet --test suite -- "$filter"
+        # How near many frames of visibility come to the truth is no matter of the driver.
+        VK_ICD_FILENAMES=$swiftshader step cargo test --workspace --features capture,window,hot-reload --quiet --test suite -- \
+            "$filter" --skip each_of_four_lights --skip nearer_to_the_truth
     done
 fi
 # Without a feature there is nothing to link to what it has.

@@ -20,19 +20,18 @@ const IMAGES: [u32; 2] = [83, 50];
 const ORIGINS: [[u32; 2]; 4] = [[0, 0], [46, 29], [13, 7], [43, 1]];
 
 /// Few, so that each stage that reads or writes an image of the host is among them.
-fn configs() -> [Config; 7] {
+fn configs() -> [Config; 6] {
     let base = Config { debug_view: true, ..Config::new(ALLOCATED) };
     let (apart, specular) = (Signals::Apart, Signals::Specular);
     let best = Config { signals: apart, post_process: PostProcess::ToneMapTaa, reactive_mask: true, ..base };
     let lights = Config { visibility: 3, coloured_visibility: true, ambient_occlusion: true, firefly_filter: true, ..base };
     [
         best,
-        Config { signals: specular, ..base },
+        Config { signals: specular, sampling: Sampling::OneOf2x2, ..base },
         Config { preset: Preset::Svgf, volume: true, float_output: true, ..lights },
         Config { preset: Preset::Asvgf, gradient_source: GradientSource::Reshaded, signals: apart, object_normal: true, ..base },
         Config { preset: Preset::Percentile, adaptive_rule: AdaptiveRule::Percentiles, post_process: PostProcess::ToneMap, ..base },
-        Config { preset: Preset::Eaw, sampling: Sampling::OneOf2x2, ..base },
-        Config { preset: Preset::Volume, ..base },
+        Config { preset: Preset::Eaw, ..base },
     ]
 }
 
