@@ -1,7 +1,7 @@
 //! The command line.
 
 use super::content::Content;
-use super::subject::{Choices, Subject};
+use super::subject::{Choices, Light, Subject};
 use atrous::config::PostProcess;
 use atrous_options::ConfigArgs;
 use clap::Parser;
@@ -10,7 +10,7 @@ use std::path::PathBuf;
 /// Times every pass of presets and other graphs, with their bytes, memory, start-up and recording.
 ///
 /// docs/lab/performance.md says what the columns mean.
-#[derive(Parser)]
+#[derive(Clone, Parser)]
 #[command(name = "bench")]
 pub struct Options {
     /// Presets or graphs, separated by commas; all presets where none is given
@@ -36,6 +36,9 @@ pub struct Options {
     /// Sides of the output over those of what is rendered, 1 to 3: the picture is gathered at that size (`Config::output_extent`)
     #[arg(long, value_name = "RATIO", value_parser = ratio)]
     pub output: Option<f64>,
+    /// Size of the light: full, or half of the columns and of the rows (`Config::light_extent`), which takes even sizes
+    #[arg(long, value_enum, default_value_t)]
+    pub light: Light,
     /// Tone map and temporal anti-aliasing as well
     #[arg(long)]
     pub post_process: bool,
@@ -72,6 +75,9 @@ pub struct Options {
     /// Prints what the driver's compiler makes of every shader instead: registers, occupancy, instructions, cycles
     #[arg(long)]
     pub isa: bool,
+    /// Prints every image with its format, life and bytes a pixel instead, which needs no device
+    #[arg(long, conflicts_with = "isa")]
+    pub images: bool,
     /// Writes the table of --isa, of all presets, into this Markdown file, between its markers
     #[arg(long, value_name = "FILE", requires = "isa", conflicts_with = "preset")]
     pub update: Option<PathBuf>,
@@ -91,7 +97,8 @@ impl Options {
     pub fn choices(&self) -> Choices {
         let (visibility, volume) = (self.visibility.max(u32::from(self.game)), self.volume || self.game);
         let post_process = if self.post_process { PostProcess::ToneMapTaa } else { PostProcess::None };
-        Choices { config: self.config.clone(), reflections: self.game, visibility, volume, output: self.output, post_process }
+        let Self { config, game: reflections, output, light, .. } = self.clone();
+        Choices { config, reflections, visibility, volume, output, light, post_process }
     }
 
     /// Sizes from small to large.
