@@ -7,7 +7,9 @@ pub(crate) mod twin;
 
 use super::{by_signals, pass, UNREAD};
 use crate::choice::choices;
-use crate::graph::{Accumulated, Estimate, Graph, Guides, History, Image, Pass, Port, Value, VolumeAccumulated, VolumeEstimate};
+use crate::graph::{
+    Accumulated, Estimate, Feedback, Graph, Guides, History, Image, Pass, Port, Value, VolumeAccumulated, VolumeEstimate, HDR,
+};
 use crate::shaders;
 
 choices! {
@@ -39,7 +41,8 @@ pub struct Variance {
 }
 
 impl Graph {
-    /// Puts the standard deviation of luminance into the alpha of one or two signals, in place, and their moments into `history`.
+    /// The standard deviation of luminance in the alpha of one or two signals. Their moments go into `history`, and with
+    /// [`Feedback::Accumulated`] so does the estimate itself.
     pub fn variance(&mut self, guides: &Guides, accumulated: &Accumulated, history: &History, variance: Variance) -> Estimate {
         let node = self.node("variance", &self.label_of(accumulated));
         let pass = pass(&node, by_signals(accumulated, &shaders::VARIANCE_SIGNALS_1, &shaders::VARIANCE_SIGNALS_2))
@@ -52,8 +55,8 @@ impl Graph {
         self.add_estimate(pass, accumulated, history)
     }
 
-    /// Puts the standard deviation of luminance into the alpha of a volume's radiance, in place, by the fading estimate, and its
-    /// moments into `history`.
+    /// The standard deviation of luminance in the alpha of a volume's radiance, by the fading estimate. Its moments go into
+    /// `history`.
     pub fn volume_variance(&mut self, guides: &Guides, accumulated: &VolumeAccumulated, history: &History) -> VolumeEstimate {
         let node = self.node("variance", &self.label_of(accumulated));
         let pass = pass(&node, &shaders::VARIANCE_SIGNALS_1)
@@ -68,8 +71,15 @@ impl Graph {
 
     fn add_estimate<K, L>(&mut self, pass: Pass, accumulated: &Port<K>, history: &History) -> Port<L> {
         let new_luminance: Vec<Image> = history.new_luminance().iter().map(|image| self.refreshed(*image)).collect();
+        let estimate = self.estimate_of(accumulated, history);
         let pass = pass.each("irradiance", accumulated.images()).each("new_luminance", &new_luminance);
-        self.add(pass.each("luminance_history", history.luminance_history()));
-        self.renewed(accumulated).cast()
+        self.add(pass.each("luminance_history", history.luminance_history()).each("estimate", estimate.images()));
+        self.renewed(&estimate)
+    }
+
+    /// Images of the estimate. One that nothing filters before the next frame reads it is the history itself.
+    fn estimate_of<K, L>(&mut self, accumulated: &Port<K>, history: &History) -> Port<L> {
+        let kept = Port::of_images(history.colour()).filter(|_| history.feedback == Feedback::Accumulated);
+        kept.unwrap_or_else(|| self.image_each(accumulated, "estimate", HDR, 1))
     }
 }

@@ -49,12 +49,13 @@ fn bad_input_is_refused() {
     std::fs::write(&no_figures, "{\"format\": 1}").expect("a file");
     let no_figures = no_figures.to_str().expect("UTF-8");
     let manifest = concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.toml");
-    let refused: [(&[&str], &str); 12] = [
+    let refused: [(&[&str], &str); 13] = [
         (&["--size", "1920"], "\"1920\" is no size: give width and height like 320x180"),
         (&["--size", "0x4"], "\"0x4\" is no size"),
         (&["--preset", "sgvf"], "\"sgvf\" is no preset and no graph; there are: svgf, asvgf"),
         (&["--bandwidth", "0"], "\"0\" is no bandwidth: give GB/s above 0"),
         (&["--content", "walls"], "\"walls\" is no content; there are: moving, wall"),
+        (&["--chip", "RTX 4080 Ti"], "\"RTX 4080 Ti\" is no chip whose data sheet is known here; there are: H200, H100"),
         (&["--light", "third"], "invalid value 'third' for '--light <LIGHT>'"),
         (&["--size", "8x8", "--levels", "11"], "Config::levels is 11; allowed is 1 to 10"),
         (&["--against", no_figures], "holds no figures of this benchmark; give a file that --json wrote"),

@@ -1,5 +1,6 @@
 //! The command line.
 
+use super::chip;
 use super::content::Content;
 use super::subject::{Choices, Light, Subject};
 use atrous::config::PostProcess;
@@ -57,6 +58,9 @@ pub struct Options {
     /// Memory bandwidth of the device in GB/s, for the floor of each pass; by default that of its data sheet, where it is known here
     #[arg(long, value_parser = bandwidth)]
     pub bandwidth: Option<f64>,
+    /// The chip whose floor is printed in the place of the device's own, such as "RTX 4080"
+    #[arg(long, value_name = "NAME", value_parser = chip_bandwidth, conflicts_with = "bandwidth")]
+    pub chip: Option<f64>,
     /// Writes a page about this device to this file, such as you would send to us: docs/gpus.md
     #[arg(long, value_name = "FILE", conflicts_with = "isa")]
     pub report: Option<PathBuf>,
@@ -131,4 +135,11 @@ fn ratio(text: &str) -> Result<f64, String> {
 fn bandwidth(text: &str) -> Result<f64, String> {
     let given = text.parse().ok().filter(|gb_per_s: &f64| gb_per_s.is_finite() && *gb_per_s > 0.0);
     given.ok_or_else(|| format!("\"{text}\" is no bandwidth: give GB/s above 0, such as 960"))
+}
+
+fn chip_bandwidth(name: &str) -> Result<f64, String> {
+    chip::bandwidth(name).ok_or_else(|| {
+        let known: Vec<_> = chip::names().collect();
+        format!("\"{name}\" is no chip whose data sheet is known here; there are: {}. Or give its --bandwidth", known.join(", "))
+    })
 }
