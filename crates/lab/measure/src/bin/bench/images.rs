@@ -1,5 +1,6 @@
 //! The images of a graph: what each holds, how long it lives, and its bytes.
 
+use super::measure;
 use super::options::Options;
 use super::subject::Subject;
 use atrous::{Declaration, Error, Lifetime, ResourceId, Shape};
@@ -36,9 +37,12 @@ fn table(label: &str, declaration: &Declaration) -> String {
     }
     let [history, transient, unaliased, output] =
         [memory.history, memory.transient, memory.transient_unaliased, memory.output].map(per_pixel);
-    let _ = writeln!(
+    let passes = declaration.passes();
+    let moved = per_pixel(passes.iter().map(|pass| measure::bytes(declaration, pass)).sum());
+    let _ = write!(
         text,
-        "\nHistory {history:.2}, transients {transient:.2} ({unaliased:.2} if none shared memory), outputs {output:.2}.\n"
+        "\nHistory {history:.2}, transients {transient:.2} ({unaliased:.2} if none shared memory), outputs {output:.2}; "
     );
+    let _ = writeln!(text, "{} passes move {moved:.1}.\n", passes.len());
     text
 }
