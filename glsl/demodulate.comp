@@ -6,9 +6,11 @@
 //      (scene units; 0: unknown; 65504: beyond the scene). Radiance that is not finite is no sample: a hole, filled from the 3x3 pixels around
 //      it (alpha -1; -2: none of them has a sample), unless the input is sub-sampled: then fill_holes or eaw does it.
 //      With LUMINANCE noisy_luminance: luminance of the noisy radiance, or of the radiance `compared` (-1: not finite), and of the albedo,
-//      for the temporal gradients of the next frame; and noisy_red_blue, for its ratio of light.
-// Constants: SAMPLING: levels of [EAW] that fill the holes of a sub-sampled input; 0 where every pixel has a sample.
-// optional: albedo, specular_f0, specular_hit_distance, noisy_1, irradiance_1, compared_0, compared_1, noisy_red_blue
+//      for the temporal gradients of the next frame; and noisy_red_blue, for its ratio of light. Both hold the candidate of every stratum
+//      where that alone is asked for, else every pixel.
+// Constants: SAMPLING: levels of [EAW] that fill the holes of a sub-sampled input; 0 where every pixel has a sample. STRATUM_SIZE: with
+// LUMINANCE; 1 without candidates.
+// optional: albedo, specular_f0, specular_hit_distance, noisy_1, irradiance_1, compared_0, compared_1, noisy_red_blue, candidates
 // variants: LUMINANCE=0 LUMINANCE=1
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -32,6 +34,9 @@ layout(push_constant) uniform Push {
 #include "hole_filling.glsl"
 #include "kept_radiance.glsl"
 #include "reflection.glsl"
+#if LUMINANCE
+#include "strata.glsl"
+#endif
 #include "specular_albedo.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -44,6 +49,7 @@ const uint COMPARED_1 = 10u;
 const uint NOISY_RED_BLUE = 11u;
 const uint SPECULAR_F0 = 12u;
 const uint SPECULAR_HIT_DISTANCE = 13u;
+const uint CANDIDATES = 15u;
 
 layout(set = 0, binding = 2) uniform utexture2D guide;
 layout(set = 0, binding = 14) uniform utexture2D depth_gradient;
@@ -59,6 +65,7 @@ layout(set = 0, binding = 8, r32ui) uniform writeonly uimage2D noisy_luminance;
 layout(set = 0, binding = COMPARED_0) uniform texture2D compared_0;
 layout(set = 0, binding = COMPARED_1) uniform texture2D compared_1;
 layout(set = 0, binding = NOISY_RED_BLUE, r32ui) uniform writeonly uimage2D noisy_red_blue;
+layout(set = 0, binding = CANDIDATES) uniform utexture2D candidates;
 #endif
 
 vec3 divisor_at(ivec2 p, GuideBits packed, out bool bad) {
@@ -109,6 +116,15 @@ vec4 demodulated(ivec2 p, uint binding, texture2D noisy, vec3 radiance, vec3 div
     return filled(p, binding, noisy);
 }
 
+#if LUMINANCE
+// Whether the light of a pixel is that of its stratum: each has one, a candidate or the first pixel, so that every texel is written.
+bool stands_for(ivec2 s, ivec2 p) {
+    if (!is_present(CANDIDATES)) return true;
+    uvec2 candidate = texelFetch(candidates, s, 0).xy;
+    return p == (candidate.x == NO_PIXEL ? first_pixel(s) : ivec2(candidate));
+}
+#endif
+
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
@@ -127,12 +143,14 @@ void main() {
         keep(kept, radiance);
     }
 #if LUMINANCE
+    ivec2 s = p / int(STRATUM_SIZE);
+    if (!stands_for(s, p)) return;
     if (is_present(COMPARED_0)) {
         kept = nothing_kept();
         keep(kept, texelFetch(compared_0, host_pixel(COMPARED_0, p), 0).rgb);
         if (is_present(COMPARED_1)) keep(kept, texelFetch(compared_1, host_pixel(COMPARED_1, p), 0).rgb);
     }
-    imageStore(noisy_luminance, p, uvec4(pack_halves(vec2(luminance_or_hole(kept), luminance(divisor)))));
-    if (is_present(NOISY_RED_BLUE)) imageStore(noisy_red_blue, p, uvec4(pack_halves(kept.radiance.rb)));
+    imageStore(noisy_luminance, s, uvec4(pack_halves(vec2(luminance_or_hole(kept), luminance(divisor)))));
+    if (is_present(NOISY_RED_BLUE)) imageStore(noisy_red_blue, s, uvec4(pack_halves(kept.radiance.rb)));
 #endif
 }

@@ -53,7 +53,6 @@ layout(set = 0, binding = FORWARD_MOTION_IMAGE) uniform texture2D forward_motion
 
 const uint MOTION_PIXELS = 0u;
 const uint MOTION_UV = 1u;
-const uint NO_PIXEL = 0xffffu;
 
 // Candidates and keys are drawn apart: what is picked in one frame must not rank it in the next.
 const uint CANDIDATE_SALT = 0x9e3779b9u;

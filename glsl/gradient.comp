@@ -91,8 +91,11 @@ float albedo_at(ivec2 p, bool background) {
     return luminance(divisor_of(texelFetch(albedo, host_pixel(ALBEDO, guide_pixel(p)), 0).rgb));
 }
 
+// Where the light of a pixel of the previous frame is: of candidates, one in every stratum, no other is kept.
+ivec2 kept_at(ivec2 previous_pixel) { return SOURCE == FORWARD_PROJECTED ? previous_pixel / int(STRATUM_SIZE) : previous_pixel; }
+
 // Luminance, negative without a sample, and that of the albedo.
-vec2 light_of(ivec2 previous_pixel) { return unpack_noisy_luminance(texelFetch(previous_luminance, previous_pixel, 0).x); }
+vec2 light_of(ivec2 previous_pixel) { return unpack_noisy_luminance(texelFetch(previous_luminance, kept_at(previous_pixel), 0).x); }
 
 bool has_ratio() { return is_present(PREVIOUS_RED_BLUE) && is_present(LIGHT_BEFORE) && is_present(LIGHT_NOW); }
 
@@ -110,7 +113,7 @@ void add_change(inout Sum sum, vec3 radiance, vec2 before, ivec2 previous_pixel)
     sum.brightest += max(now, l) / before.y;
     sum.samples += 1.0;
     if (has_ratio()) {
-        vec2 red_blue = min(unpack_noisy_red_blue(texelFetch(previous_red_blue, previous_pixel, 0).x) * frame.exposure_ratio, 65504.0);
+        vec2 red_blue = min(unpack_noisy_red_blue(texelFetch(previous_red_blue, kept_at(previous_pixel), 0).x) * frame.exposure_ratio, 65504.0);
         add_light(sum, radiance_of(l, red_blue) / before.y, radiance_of(now, kept_red_blue(radiance)) / before.y);
     }
 }

@@ -1,8 +1,8 @@
 #version 450
 // Standard deviation of luminance: from the pixel's own past, or from 7x7 pixels around it while its past is short.
 // Source: [SVGF] 4.2. Deviation: the spatial estimate is scaled by spatial_variance_frames / N.
-// In:  guide, depth_gradient, new_luminance. In place: irradiance, accumulated, its alpha from history length to deviation, own
-//      pixel only. Out: luminance_history, for the next frame.
+// In:  guide, depth_gradient, new_luminance; irradiance, accumulated, with the history length in alpha. Out: estimate, the same with the
+//      deviation in alpha; luminance_history, for the next frame.
 // Constants: ESTIMATOR: 0: as above; 1: [PSVGF], 5x5 pixels always take part, with a share that shrinks as the past grows; 2: the pixel's own
 // past alone; 3: of the accumulated mean, from 5x5 pixels without the structure that they show (ours); with FILLED neighbours
 // repeat each other, so that what is smooth may be noise as well. VOLUME: weights by the depth of the surface behind alone; the background takes part.
@@ -34,12 +34,14 @@ layout(push_constant) uniform Push {
 PACKED_IMAGE(1, guide);
 layout(set = 0, binding = 2) uniform utexture2D depth_gradient;
 PACKED_IMAGE_32(3, new_luminance_0);
-layout(set = 0, binding = 4, rgba16f) uniform image2D irradiance_0;
+layout(set = 0, binding = 4) uniform texture2D irradiance_0;
 layout(set = 0, binding = 5, rgba16ui) uniform writeonly uimage2D luminance_history_0;
+layout(set = 0, binding = 6, rgba16f) uniform writeonly image2D estimate_0;
 #if SIGNALS == 2
-PACKED_IMAGE_32(6, new_luminance_1);
-layout(set = 0, binding = 7, rgba16f) uniform image2D irradiance_1;
-layout(set = 0, binding = 8, rgba16ui) uniform writeonly uimage2D luminance_history_1;
+PACKED_IMAGE_32(7, new_luminance_1);
+layout(set = 0, binding = 8) uniform texture2D irradiance_1;
+layout(set = 0, binding = 9, rgba16ui) uniform writeonly uimage2D luminance_history_1;
+layout(set = 0, binding = 10, rgba16f) uniform writeonly image2D estimate_1;
 #endif
 
 const bool FADE = ESTIMATOR == 1u;
@@ -215,12 +217,12 @@ void main() {
     if (!is_inside(p)) return;
     GuideBits packed = GuideBits(packed_at(guide, p));
     bool background = !is_filtered(packed);
-    vec4 value_0 = imageLoad(irradiance_0, p);
+    vec4 value_0 = texelFetch(irradiance_0, p, 0);
     LuminanceHistory m = luminance_history_of(packed_at(new_luminance_0, p).x, value_0.a);
     imageStore(luminance_history_0, p, pack_luminance_history(m));
     vec2 means = vec2(m.mean), deviations = vec2(m.deviation), lengths = vec2(m.history_length);
 #if SIGNALS == 2
-    vec4 value_1 = imageLoad(irradiance_1, p);
+    vec4 value_1 = texelFetch(irradiance_1, p, 0);
     LuminanceHistory m_1 = luminance_history_of(packed_at(new_luminance_1, p).x, value_1.a);
     imageStore(luminance_history_1, p, pack_luminance_history(m_1));
     means.y = m_1.mean;
@@ -246,8 +248,8 @@ void main() {
         if (needs_neighbours(lengths.y)) deviations.y = combined(deviations.y, sums[1], lengths.y);
     }
     deviations = min(deviations, 65504.0);
-    imageStore(irradiance_0, p, vec4(value_0.rgb, deviations.x));
+    imageStore(estimate_0, p, vec4(value_0.rgb, deviations.x));
 #if SIGNALS == 2
-    imageStore(irradiance_1, p, vec4(value_1.rgb, deviations.y));
+    imageStore(estimate_1, p, vec4(value_1.rgb, deviations.y));
 #endif
 }

@@ -63,7 +63,7 @@ fn stripes() {
     let mut s = session_with(&svgf(EXTENT), SessionOptions { poison: true, keep_transients: true, ..Default::default() });
     let declaration = s.executor().denoiser().declaration();
     let variance = declaration.passes().iter().position(|p| p.name == "variance").expect("a pass");
-    let estimate = declaration.passes()[variance].use_of("irradiance_0").expect("written").resource;
+    let estimate = declaration.passes()[variance].use_of("estimate_0").expect("written").resource;
     let estimate = declaration.resource(estimate).name.clone();
     let (mut contrasts, mut blurs) = (Vec::new(), Vec::new());
     for i in 0..16 {

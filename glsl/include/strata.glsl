@@ -5,6 +5,8 @@
 
 layout(constant_id = 8) const uint STRATUM_SIZE = 3u;  // pixels a side, 2 to 4; in clear_claims.comp 1 as well
 
+const uint NO_PIXEL = 0xffffu;  // a coordinate of a candidate that does not exist
+
 uvec2 strata_of(uvec2 extent) { return (extent + STRATUM_SIZE - 1u) / STRATUM_SIZE; }
 
 bool is_stratum(ivec2 s) { return all(greaterThanEqual(s, ivec2(0))) && all(lessThan(uvec2(s), strata_of(frame.render_extent))); }

@@ -1,5 +1,6 @@
 //! Ports of nodes: images of a graph, typed by their content.
 
+use super::Feedback;
 use crate::contract::ResourceId;
 use std::marker::PhantomData;
 
@@ -291,11 +292,12 @@ pub struct History {
     pub(crate) luminance_history: [Image; 2],
     /// Mean and deviation of this frame, until the node `variance` puts them into the history.
     pub(crate) new_luminance: [Image; 2],
+    pub(crate) feedback: Feedback,
     pub(crate) count: usize,
 }
 
 impl History {
-    /// Colour of every signal. rgb: irradiance; alpha: the standard deviation of its luminance where a filter fed it back.
+    /// Colour of every signal. rgb: irradiance; alpha: the standard deviation of its luminance.
     pub fn colour(&self) -> &[Image] {
         &self.colour[..self.count]
     }
@@ -351,6 +353,10 @@ pub(crate) struct KeptLuminance {
     pub red_blue: Option<Image>,
     /// The radiance that is compared.
     pub of: Radiance,
+    /// Side of the square of pixels that a texel stands for: 1, or that of a stratum.
+    pub side: u32,
+    /// The pixel of each stratum whose light is kept; none where that of every pixel is.
+    pub candidates: Option<Image>,
 }
 
 impl Gradient {

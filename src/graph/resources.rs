@@ -63,15 +63,18 @@ impl Graph {
         let (mut colour, mut luminance_history, mut new_luminance) = (of.images().to_vec(), Vec::new(), Vec::new());
         for image in &mut colour {
             let label = self.label(*image).to_owned();
-            match feedback {
-                Feedback::Filtered => {
-                    let writer = "give it to the `feedback` of a filter, or make it with `Feedback::Accumulated`";
-                    *image = self.history_in_place("irradiance_history", &label, HDR, writer);
-                }
-                // The accumulation works in place: what it leaves is what the next frame reads.
-                Feedback::Accumulated => self.promote_to_history(*image, &label),
-            }
-            luminance_history.push(self.history_in_place("luminance_history", &label, PACKED_64, "give it to the node `variance`"));
+            let writer = match feedback {
+                Feedback::Filtered => "give it to the `feedback` of a filter, or make it with `Feedback::Accumulated`",
+                Feedback::Accumulated => "give it to the node `variance`",
+            };
+            *image = self.history_in_place("irradiance_history", &label, HDR, 1, writer);
+            luminance_history.push(self.history_in_place(
+                "luminance_history",
+                &label,
+                PACKED_64,
+                1,
+                "give it to the node `variance`",
+            ));
             new_luminance.push(self.named_image("new_luminance", &label, PACKED_32, 1, Lifetime::Transient));
         }
         let both = |images: &[Image]| [images[0], images[images.len() - 1]];
@@ -79,31 +82,23 @@ impl Graph {
             colour: both(&colour),
             luminance_history: both(&luminance_history),
             new_luminance: both(&new_luminance),
+            feedback,
             count: of.signals(),
         }
     }
 
     /// A history with one copy. `writer` names the node that writes it.
-    pub(crate) fn history_in_place(&mut self, base: &str, label: &str, format: ImageFormat, writer: &'static str) -> Image {
-        let image = self.named_image(base, label, format, 1, Lifetime::HistoryInPlace);
+    pub(crate) fn history_in_place(
+        &mut self,
+        base: &str,
+        label: &str,
+        format: ImageFormat,
+        texels: impl Into<TexelGrid>,
+        writer: &'static str,
+    ) -> Image {
+        let image = self.named_image(base, label, format, texels, Lifetime::HistoryInPlace);
         self.states[image.id.0 as usize].writer = Some(writer);
         image
-    }
-
-    fn promote_to_history(&mut self, image: Image, label: &str) {
-        let name = self.scoped("irradiance_history", label);
-        self.claim_name("history", &name);
-        let resource = &mut self.resources[image.id.0 as usize];
-        if resource.lifetime == Lifetime::Transient {
-            (resource.name, resource.lifetime) = (name, Lifetime::History);
-        } else {
-            let (given, lifetime) = (resource.name.clone(), resource.lifetime);
-            self.fail(
-                "history",
-                &given,
-                format!("it is {lifetime:?}, and an accumulation works in place; give it what `demodulate` returns"),
-            );
-        }
     }
 
     /// An image of a signal.

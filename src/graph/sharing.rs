@@ -1,34 +1,55 @@
 //! Sharing of an output's image: a transient of the same shape that is dead before the output is written needs no memory of its own.
 
 use super::Graph;
-use crate::contract::{life, Lifetime, ResourceId, Shape};
+use crate::contract::{alias, life, Lifetime, ResourceId, Shape, Span};
 
 impl Graph {
     /// Gives transients the images of outputs: those of the same format and size whose last use
     /// comes before the output's first, in the same phase, since until then the host may still read
     /// the output of the previous frame.
     pub(super) fn put_transients_into_outputs(&mut self) {
+        let (back, front) = (self.placed(true), self.placed(false));
+        // Either order may leave less to place elsewhere.
+        let given = if self.bytes_apart(&front) < self.bytes_apart(&back) { front } else { back };
+        self.replace(&given);
+    }
+
+    /// The output in which each transient lies, filled from the back of the frame or from its front.
+    fn placed(&self, from_back: bool) -> Vec<Option<ResourceId>> {
         let ids = (0..self.resources.len() as u32).map(ResourceId);
         let mut given = vec![None; self.resources.len()];
         for output in ids.clone().filter(|id| self.is_image(*id, Lifetime::Output)) {
-            let Some((mut free_until, _)) = life(&self.passes, output) else { continue };
-            let (phase, shape) = (self.passes[free_until].phase, self.resources[output.0 as usize].shape);
-            // From the back, so that what is written last, next to the output, comes first.
+            let Some((written, _)) = life(&self.passes, output) else { continue };
+            let (phase, shape) = (self.passes[written].phase, self.resources[output.0 as usize].shape);
             let mut transients: Vec<_> = ids
                 .clone()
                 .filter(|id| self.is_image(*id, Lifetime::Transient) && given[id.0 as usize].is_none())
                 .filter(|id| self.resources[id.0 as usize].shape == shape)
                 .filter_map(|id| life(&self.passes, id).map(|(first, last)| (last, first, id)))
+                .filter(|&(last, first, _)| last < written && self.passes[first].phase == phase)
                 .collect();
-            transients.sort_unstable_by(|a, b| b.cmp(a));
+            transients.sort_unstable_by(|a, b| if from_back { b.cmp(a) } else { (a.1, a.0, a.2).cmp(&(b.1, b.0, b.2)) });
+            let mut taken: Vec<(usize, usize)> = Vec::new();
             for (last, first, id) in transients {
-                if last < free_until && self.passes[first].phase == phase {
+                if taken.iter().all(|&(begin, end)| last < begin || end < first) {
                     given[id.0 as usize] = Some(output);
-                    free_until = first;
+                    taken.push((first, last));
                 }
             }
         }
-        self.replace(&given);
+        given
+    }
+
+    /// Bytes of the transients that lie in no output.
+    fn bytes_apart(&self, given: &[Option<ResourceId>]) -> u64 {
+        let ids = (0..self.resources.len() as u32).map(ResourceId);
+        let apart =
+            ids.filter(|id| given[id.0 as usize].is_none() && self.resources[id.0 as usize].lifetime == Lifetime::Transient);
+        let span = |id: ResourceId| {
+            let (first, last) = life(&self.passes, id)?;
+            Some(Span { first, last, size: self.resources[id.0 as usize].bytes(&self.setup), alignment: 1 })
+        };
+        alias(&apart.filter_map(span).collect::<Vec<_>>()).1
     }
 
     fn is_image(&self, id: ResourceId, lifetime: Lifetime) -> bool {

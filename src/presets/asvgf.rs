@@ -1,6 +1,6 @@
 //! Adaptive temporal filtering by temporal gradients \[ASVGF\].
 
-use super::specular::{compared, modulated, Specular};
+use super::specular::{beside, compared, modulated, Specular};
 use super::{change_of_light, firefly_filter, gradient_samples, noisy, Denoised};
 use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
@@ -29,14 +29,10 @@ pub fn asvgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let estimate = g.variance(guides, &accumulated, &history, variance);
     let atrous =
         Atrous { levels: config.levels(), kernel: Kernel::Box, luminance_weight: LuminanceWeight::OfMeans, ..Atrous::default() };
+    let specular = Specular { samples, confidence: Some(change.confidence), ..Specular::default() };
+    let specular = beside(g, guides, config, specular);
     let filtered = g.atrous(guides, &estimate, atrous);
-    let (radiance, reflection) = modulated(
-        g,
-        guides,
-        config,
-        filtered.into(),
-        Specular { samples, confidence: Some(change.confidence), ..Specular::default() },
-    );
+    let (radiance, reflection) = modulated(g, guides, config, filtered.into(), specular);
     let intermediates = Intermediates {
         history: Some(history),
         reflection,

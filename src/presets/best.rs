@@ -1,6 +1,6 @@
 //! The default filter: every part that made pictures better, in one graph.
 
-use super::specular::{compared, modulated, Specular};
+use super::specular::{beside, compared, modulated, Specular};
 use super::{firefly_filter, gradient_samples, noisy, Denoised};
 use crate::config::{Config, Signals};
 use crate::graph::{Difference, Feedback, Gradient, Graph, Guides};
@@ -92,7 +92,6 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
     let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
     let Best { variance, feedback, spatial, .. } = best;
     let estimate = g.variance(guides, &accumulated, &history, variance);
-    let filtered = g.atrous(guides, &estimate, Atrous { feedback: (feedback == Feedback::Filtered).then_some(history), ..spatial });
     let specular = Specular {
         feedback,
         variance,
@@ -102,6 +101,8 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
         confidence: Some(unscaled),
         ..Specular::default()
     };
+    let specular = beside(g, guides, config, specular);
+    let filtered = g.atrous(guides, &estimate, Atrous { feedback: (feedback == Feedback::Filtered).then_some(history), ..spatial });
     let (radiance, reflection) = modulated(g, guides, config, filtered.into(), specular);
     let intermediates = Intermediates {
         history: Some(history),

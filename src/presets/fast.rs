@@ -1,6 +1,6 @@
 //! The cheapest filter that follows changing light.
 
-use super::specular::{modulated, Specular};
+use super::specular::{beside, modulated, Specular};
 use super::{firefly_filter, noisy, Denoised};
 use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
@@ -32,9 +32,9 @@ pub fn fast_with(g: &mut Graph, guides: &Guides, config: &Config, spatial: Atrou
     let accumulation = Accumulation { confidence: Some(confidence), ..Accumulation::default() };
     let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
     let estimate = g.variance(guides, &accumulated, &history, Variance { estimator: Estimator::OfMean, ..Variance::default() });
+    let specular = beside(g, guides, config, Specular { difference: Some(difference), ..Specular::default() });
     let filtered = g.atrous(guides, &estimate, spatial);
-    let (radiance, reflection) =
-        modulated(g, guides, config, filtered.into(), Specular { difference: Some(difference), ..Specular::default() });
+    let (radiance, reflection) = modulated(g, guides, config, filtered.into(), specular);
     let intermediates = Intermediates {
         history: Some(history),
         reflection,

@@ -1,6 +1,6 @@
 //! Percentile-based adaptive SVGF [PSVGF].
 
-use super::specular::{modulated, Specular};
+use super::specular::{beside, modulated, Specular};
 use super::{noisy, without_fireflies, Denoised};
 use crate::config::{AdaptiveRule, Config};
 use crate::graph::{Feedback, Graph, Guides};
@@ -30,9 +30,10 @@ pub fn percentile(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     // The 3x3 box costs 9 taps of 25 and pays for the statistics; on the flickering box it is no worse.
     let atrous =
         Atrous { levels: config.levels(), kernel: Kernel::Box, luminance_weight: LuminanceWeight::OfMeans, ..Atrous::default() };
+    let specular = Specular { confidence: Some(confidence), difference, ..Specular::default() };
+    let specular = beside(g, guides, config, specular);
     let filtered = g.atrous(guides, &estimate, atrous);
-    let (radiance, reflection) =
-        modulated(g, guides, config, filtered.into(), Specular { confidence: Some(confidence), difference, ..Specular::default() });
+    let (radiance, reflection) = modulated(g, guides, config, filtered.into(), specular);
     let intermediates = Intermediates {
         history: Some(history),
         reflection,

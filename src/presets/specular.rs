@@ -1,7 +1,9 @@
 //! The filter of specular light, beside that of diffuse light.
 
 use crate::config::{Config, Signals};
-use crate::graph::{Confidence, Difference, Feedback, GradientSamples, Graph, Guides, Irradiance, Radiance, Reflection};
+use crate::graph::{
+    Confidence, Difference, Estimate, Feedback, GradientSamples, Graph, Guides, History, Irradiance, Radiance, Reflection,
+};
 use crate::nodes::{Albedo, Atrous, Demodulate, Estimator, Kernel, LuminanceWeight, Modulate, SpecularAccumulation, Variance};
 
 /// Parameters of [`specular`], which differ from preset to preset.
@@ -41,13 +43,34 @@ impl Default for Specular {
     }
 }
 
+/// Specular light before its spatial filter.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SpecularEstimate {
+    estimate: Estimate,
+    history: History,
+    reflection: Reflection,
+    parameters: Specular,
+}
+
 /// Filters `noisy_specular`: irradiance by the specular albedo, and the reflections in the
 /// surfaces.
 ///
 /// It reads `sampling` and `levels` of the configuration.
 pub fn specular(g: &mut Graph, guides: &Guides, config: &Config, specular: Specular) -> (Irradiance, Reflection) {
+    let estimate = estimated(g, guides, config, specular);
+    filtered(g, guides, config, estimate)
+}
+
+/// [`estimated`] where the configuration has specular light. Call it before the spatial filter of diffuse light: the images that
+/// accumulations alone read are dead then.
+pub(super) fn beside(g: &mut Graph, guides: &Guides, config: &Config, specular: Specular) -> Option<SpecularEstimate> {
+    (config.signals == Signals::Specular).then(|| estimated(g, guides, config, specular))
+}
+
+/// Accumulates `noisy_specular` and estimates its deviation.
+fn estimated(g: &mut Graph, guides: &Guides, config: &Config, specular: Specular) -> SpecularEstimate {
     let noisy = g.radiance("noisy_specular");
-    let Specular { feedback, variance, kernel, luminance_weight, sharp, samples, .. } = specular;
+    let Specular { feedback, variance, sharp, samples, .. } = specular;
     let demodulate = Demodulate { albedo: Albedo::Specular, samples, sampling: config.sampling, ..Demodulate::default() };
     let irradiance = g.demodulate(guides, &noisy, demodulate);
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
@@ -63,29 +86,32 @@ pub fn specular(g: &mut Graph, guides: &Guides, config: &Config, specular: Specu
     let accumulation = SpecularAccumulation { confidence, sharp, ..SpecularAccumulation::default() };
     let found = g.specular_accumulation(guides, &irradiance, &history, accumulation);
     let estimate = g.variance(guides, &found.accumulated, &history.history, variance);
-    let feedback = (feedback == Feedback::Filtered).then_some(history.history);
+    SpecularEstimate { estimate, history: history.history, reflection: found.reflection, parameters: specular }
+}
+
+fn filtered(g: &mut Graph, guides: &Guides, config: &Config, specular: SpecularEstimate) -> (Irradiance, Reflection) {
+    let SpecularEstimate { estimate, history, reflection, parameters } = specular;
+    let Specular { feedback, kernel, luminance_weight, .. } = parameters;
+    let feedback = (feedback == Feedback::Filtered).then_some(history);
     let shape = Atrous { levels: config.levels(), kernel, luminance_weight, ..Atrous::default() };
-    let atrous = Atrous { feedback, reflection: Some(found.reflection), ..shape };
-    (g.atrous(guides, &estimate, atrous).into(), found.reflection)
+    let atrous = Atrous { feedback, reflection: Some(reflection), ..shape };
+    (g.atrous(guides, &estimate, atrous).into(), reflection)
 }
 
 /// Behind the names of nodes that diffuse light has, too.
 const SCOPE: &str = "specular";
 
-/// Radiance of the filtered irradiance of a preset; with [`Signals::Specular`] plus specular light,
-/// and its reflections.
+/// Radiance of the filtered irradiance of a preset; with specular light, filtered and added, and its reflections.
 pub(super) fn modulated(
     g: &mut Graph,
     guides: &Guides,
     config: &Config,
-    filtered: Irradiance,
-    parameters: Specular,
+    diffuse: Irradiance,
+    specular: Option<SpecularEstimate>,
 ) -> (Radiance, Option<Reflection>) {
-    if config.signals != Signals::Specular {
-        return (g.modulate(guides, &filtered, modulate(config)), None);
-    }
-    let (reflected, reflection) = specular(g, guides, config, parameters);
-    (sum(g, guides, config, &filtered, &reflected), Some(reflection))
+    let Some(specular) = specular else { return (g.modulate(guides, &diffuse, modulate(config)), None) };
+    let (reflected, reflection) = filtered(g, guides, config, specular);
+    (sum(g, guides, config, &diffuse, &reflected), Some(reflection))
 }
 
 /// Radiance of diffuse and specular irradiance.

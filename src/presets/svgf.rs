@@ -1,6 +1,6 @@
 //! Spatiotemporal variance-guided filtering \[SVGF\].
 
-use super::specular::{modulated, Specular};
+use super::specular::{beside, modulated, Specular};
 use super::{firefly_filter, noisy, Denoised};
 use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
@@ -17,20 +17,16 @@ pub fn svgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let history = g.history(&irradiance, Feedback::Filtered);
     let accumulated = g.temporal_accumulation(guides, &irradiance, &history, Accumulation::default());
     let estimate = g.variance(guides, &accumulated, &history, Variance::default());
+    let specular = Specular {
+        feedback: Feedback::Filtered,
+        kernel: Kernel::Spline,
+        variance: Variance::default(),
+        luminance_weight: LuminanceWeight::Published,
+        ..Specular::default()
+    };
+    let specular = beside(g, guides, config, specular);
     let filtered = g.atrous(guides, &estimate, Atrous { levels: config.levels(), feedback: Some(history), ..Atrous::default() });
-    let (radiance, reflection) = modulated(
-        g,
-        guides,
-        config,
-        filtered.into(),
-        Specular {
-            feedback: Feedback::Filtered,
-            kernel: Kernel::Spline,
-            variance: Variance::default(),
-            luminance_weight: LuminanceWeight::Published,
-            ..Specular::default()
-        },
-    );
+    let (radiance, reflection) = modulated(g, guides, config, filtered.into(), specular);
     Denoised {
         radiance,
         intermediates: Intermediates { history: Some(history), reflection, deviation: true, usual, ..Intermediates::new(&noisy) },

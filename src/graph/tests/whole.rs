@@ -31,7 +31,7 @@ fn a_graph_of_a_host_is_a_declaration() {
     let names: Vec<_> = declaration.passes().iter().map(|p| p.name.as_str()).collect();
     assert_eq!(names, ["start_frame", "import", "demodulate", "temporal_accumulation", "variance", "modulate"]);
     let lifetime = |name: &str| declaration.resource(declaration.find(name).expect(name)).lifetime;
-    assert_eq!((lifetime("mine"), lifetime("irradiance_history")), (Lifetime::Output, Lifetime::History));
+    assert_eq!((lifetime("mine"), lifetime("irradiance_history")), (Lifetime::Output, Lifetime::HistoryInPlace));
     assert_eq!((lifetime("guide"), lifetime("surface_motion")), (Lifetime::History, Lifetime::Transient));
     assert!(declaration.config().is_none() && declaration.memory().history > 0);
 }
@@ -104,7 +104,7 @@ fn a_history_that_nothing_writes_is_refused() {
     let (mut g, guides, accumulated, _) = self::accumulated(Feedback::Accumulated);
     let denoised = g.modulate(&guides, &accumulated.into(), Modulate::default());
     g.output("denoised_radiance", &denoised);
-    assert_names(&refusal(g), &["node `temporal_accumulation`", "port `luminance_history`", "`variance`"]);
+    assert_names(&refusal(g), &["node `temporal_accumulation`", "port `irradiance_history`", "`variance`"]);
     let (mut g, guides, ..) = begun(Feedback::Accumulated);
     let noisy = g.radiance("noisy_radiance");
     g.gradient(&guides, &noisy, Gradients::Reshaded { stratum_size: 3 });
@@ -213,7 +213,7 @@ fn an_output_is_what_a_node_writes_for_this_frame() {
     let (mut g, _, _, history) = accumulated(Feedback::Accumulated);
     let colour = g.refreshed(history.colour()[0]);
     g.output("mine", &Irradiance::of(colour));
-    assert_names(&refusal(g), &["port `mine`", "`irradiance_history` is History"]);
+    assert_names(&refusal(g), &["port `mine`", "`irradiance_history` is HistoryInPlace"]);
     let (mut g, _, irradiance, _) = begun(Feedback::Filtered);
     g.output("guide", &irradiance);
     assert_names(&refusal(g), &["port `guide`", "this name already"]);

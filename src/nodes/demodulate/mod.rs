@@ -105,6 +105,7 @@ impl Graph {
             pass = pass.bind("specular_hit_distance", self.input(Input::SPECULAR_HIT_DISTANCE));
         }
         if let Some(kept) = kept {
+            pass = pass.constant("STRATUM_SIZE", kept.side).bind_some("candidates", kept.candidates);
             pass = pass.bind("noisy_luminance", kept.image).bind_some("noisy_red_blue", kept.red_blue);
             if kept.of.images() != noisy.images() {
                 pass = pass.each("compared", kept.of.images());

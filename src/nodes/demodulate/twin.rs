@@ -11,6 +11,7 @@ use crate::reference::reflection::FARTHEST_HIT;
 use crate::reference::rules::{pixels, rounded, rule, HALF, STATISTICS};
 use crate::reference::specular_albedo::specular_albedo_from;
 use crate::reference::statistics::count;
+use crate::reference::strata::{Strata, NO_PIXEL};
 use crate::reference::Image;
 use crate::{Counter, Statistics};
 use crate::{Error, FrameConstants, Tuning};
@@ -198,6 +199,14 @@ pub(crate) fn noisy_red_blue(frame: &FrameConstants, noisy: &[&Image<[f32; 4]>],
     })
 }
 
+/// The pixel whose light is that of a stratum: the candidate, or the first pixel where there is none.
+fn candidate(strata: Strata, candidates: &Image<[u16; 4]>, s: IVec2) -> IVec2 {
+    match candidates.at(s) {
+        [NO_PIXEL, ..] => strata.first_pixel(s),
+        [x, y, ..] => IVec2::new(x.into(), y.into()),
+    }
+}
+
 /// How what it writes is compared with the GPU.
 pub(crate) const RULES: &[Rule] = &[
     STATISTICS,
@@ -205,8 +214,8 @@ pub(crate) const RULES: &[Rule] = &[
     pixels("irradiance_1", HALF),
     rounded("irradiance_0"),
     rounded("irradiance_1"),
-    rule("noisy_luminance", Unit::Pixel, Reading::Halves, HALF),
-    rule("noisy_red_blue", Unit::Pixel, Reading::Halves, HALF),
+    rule("noisy_luminance", Unit::Stratum, Reading::Halves, HALF),
+    rule("noisy_red_blue", Unit::Stratum, Reading::Halves, HALF),
 ];
 
 /// Runs the stage on the bindings of a pass.
@@ -227,9 +236,14 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     if b.has("noisy_luminance") {
         let other = b.has("compared_0").then(|| b.colours("compared")).transpose()?;
         let compared = other.as_ref().unwrap_or(&noisy);
-        b.write("noisy_luminance", noisy_luminance(b.frame, inputs.guide, compared, inputs.albedo))?;
+        let (strata, extent) = (Strata::new(b.frame, b.stratum_size()?), b.extent_of("noisy_luminance")?);
+        let candidates = if b.has("candidates") { Some(b.packed("candidates")?) } else { None };
+        let of_strata = |pixels: Image<u32>| {
+            Image::compute(extent, strata.count().into(), |s| pixels.at(candidates.map_or(s, |c| candidate(strata, c, s))))
+        };
+        b.write("noisy_luminance", of_strata(noisy_luminance(b.frame, inputs.guide, compared, inputs.albedo)))?;
         if b.has("noisy_red_blue") {
-            b.write("noisy_red_blue", noisy_red_blue(b.frame, compared, b.extent_of("noisy_red_blue")?))?;
+            b.write("noisy_red_blue", of_strata(noisy_red_blue(b.frame, compared, inputs.guide.extent())))?;
         }
     }
     Ok(())

@@ -84,8 +84,11 @@ impl Graph {
             .bind("gradient", image)
             .bind("gradient_guide", guide);
         let kept = (!matches!(source, Gradients::Sparse { .. })).then(|| {
-            let mut kept = |name| self.history_in_place(name, "", PACKED_32, "give the gradients to `Demodulate::gradient`");
-            KeptLuminance { image: kept("noisy_luminance"), red_blue: ratio.then(|| kept("noisy_red_blue")), of: *noisy }
+            let candidates = source.samples().map(|samples| samples.candidates);
+            let side = if candidates.is_some() { size } else { 1 };
+            let mut kept = |name| self.history_in_place(name, "", PACKED_32, side, "give the gradients to `Demodulate::gradient`");
+            let (image, red_blue) = (kept("noisy_luminance"), ratio.then(|| kept("noisy_red_blue")));
+            KeptLuminance { image, red_blue, of: *noisy, side, candidates }
         });
         if let Some(kept) = &kept {
             pass = pass.previous("previous_luminance", kept.image);

@@ -51,7 +51,7 @@ pub(crate) struct GradientInputs<'a> {
     pub noisy: &'a [&'a Image<[f32; 4]>],
     /// rgb: albedo at the primary hit.
     pub albedo: Option<&'a Image<[f32; 4]>>,
-    /// `noisy_luminance` of the previous frame; not read in a reset frame.
+    /// `noisy_luminance` of the previous frame, with re-shaded samples one texel a stratum; not read in a reset frame.
     pub previous_luminance: Option<&'a Image<u32>>,
     /// `noisy_red_blue` of the previous frame, where the ratio of light is wanted; not read in a reset frame.
     pub previous_red_blue: Option<&'a Image<u32>>,
@@ -169,14 +169,22 @@ impl Changes<'_> {
     fn relative_luminance(&self, p: IVec2, sample: Option<(IVec2, IVec2)>) -> Option<f32> {
         let (l, albedo) = self.luminances.at(p);
         let repeated = sample.filter(|(pixel, _)| *pixel == p).zip(self.inputs.previous_luminance);
-        Some(l? / repeated.map_or(albedo, |((_, previous), kept)| from_half_bits((kept.at(previous) >> 16) as u16)))
+        Some(l? / repeated.map_or(albedo, |((_, previous), kept)| from_half_bits((kept.at(self.kept_at(previous)) >> 16) as u16)))
+    }
+
+    /// Where the light of a pixel of the previous frame is: of candidates, one in every stratum, no other is kept.
+    fn kept_at(&self, previous: IVec2) -> IVec2 {
+        match self.inputs.source {
+            GradientInput::ForwardProjected { .. } => previous / self.stratum_size as i32,
+            GradientInput::Reshaded { .. } | GradientInput::Sparse(_) => previous,
+        }
     }
 
     /// The change of a sample that was at `previous`; `None` where no light is known of then.
     fn change(&self, radiance: [f32; 3], previous: IVec2) -> Option<Change> {
         let halves = |texel: u32| [texel as u16, (texel >> 16) as u16].map(from_half_bits);
         let exposed = |x: f32| (x * self.frame.exposure_ratio).min(LARGEST_HALF);
-        let Some([l, albedo]) = self.inputs.previous_luminance.map(|l| halves(l.at(previous))) else {
+        let Some([l, albedo]) = self.inputs.previous_luminance.map(|l| halves(l.at(self.kept_at(previous)))) else {
             return Some(Change::default());
         };
         if l < 0.0 {
@@ -186,7 +194,7 @@ impl Changes<'_> {
         let (l, l_now) = (exposed(l), kept_luminance(radiance));
         let change = Change { change: (l_now - l) / albedo, brightest: l_now.max(l) / albedo, ..Change::default() };
         let Some(red_blue) = self.inputs.previous_red_blue else { return Some(change) };
-        let before = radiance_of(l, halves(red_blue.at(previous)).map(exposed)).map(|c| c / albedo);
+        let before = radiance_of(l, halves(red_blue.at(self.kept_at(previous))).map(exposed)).map(|c| c / albedo);
         let now = radiance_of(l_now, kept_red_blue(radiance)).map(|c| c / albedo);
         let both = (0..3).map(|i| (before[i] * now[i]).sqrt()).sum();
         let larger = before.iter().sum::<f32>().max(now.iter().sum());

@@ -7,7 +7,9 @@ pub(crate) mod twin;
 
 use super::{by_signals, pass, UNREAD};
 use crate::choice::choices;
-use crate::graph::{Accumulated, Estimate, Graph, Guides, History, Image, Pass, Port, Value, VolumeAccumulated, VolumeEstimate};
+use crate::graph::{
+    Accumulated, Estimate, Feedback, Graph, Guides, History, Image, Pass, Port, Value, VolumeAccumulated, VolumeEstimate, HDR,
+};
 use crate::shaders;
 
 choices! {
@@ -39,37 +41,48 @@ pub struct Variance {
 }
 
 impl Graph {
-    /// Puts the standard deviation of luminance into the alpha of one or two signals, in place, and their moments into `history`.
+    /// The standard deviation of luminance in the alpha of one or two signals. Their moments go into `history`, and with
+    /// [`Feedback::Accumulated`] so does the estimate itself.
     pub fn variance(&mut self, guides: &Guides, accumulated: &Accumulated, history: &History, variance: Variance) -> Estimate {
-        let node = self.node("variance", &self.label_of(accumulated));
-        let pass = pass(&node, by_signals(accumulated, &shaders::VARIANCE_SIGNALS_1, &shaders::VARIANCE_SIGNALS_2))
-            .constant("ESTIMATOR", variance.estimator as u32)
-            .constant("FILLED", u32::from(accumulated.has_filled_holes()))
-            .value("spatial_variance_frames", variance.spatial_variance_frames)
-            .value("volume_sigma_z", UNREAD)
-            .bind("guide", guides.guide)
-            .bind("depth_gradient", guides.depth_gradient);
-        self.add_estimate(pass, accumulated, history)
+        self.estimates(accumulated, history, |node, signals| {
+            pass(node, by_signals(signals, &shaders::VARIANCE_SIGNALS_1, &shaders::VARIANCE_SIGNALS_2))
+                .constant("ESTIMATOR", variance.estimator as u32)
+                .constant("FILLED", u32::from(accumulated.has_filled_holes()))
+                .value("spatial_variance_frames", variance.spatial_variance_frames)
+                .value("volume_sigma_z", UNREAD)
+                .bind("guide", guides.guide)
+                .bind("depth_gradient", guides.depth_gradient)
+        })
     }
 
-    /// Puts the standard deviation of luminance into the alpha of a volume's radiance, in place, by the fading estimate, and its
-    /// moments into `history`.
+    /// The standard deviation of luminance in the alpha of a volume's radiance, by the fading estimate. Its moments go into
+    /// `history`.
     pub fn volume_variance(&mut self, guides: &Guides, accumulated: &VolumeAccumulated, history: &History) -> VolumeEstimate {
-        let node = self.node("variance", &self.label_of(accumulated));
-        let pass = pass(&node, &shaders::VARIANCE_SIGNALS_1)
-            .constant("ESTIMATOR", Estimator::Fading as u32)
-            .constant("VOLUME", 1)
-            .value("sigma_n", UNREAD)
-            .value("sigma_z", UNREAD)
-            .bind("guide", guides.guide)
-            .bind("depth_gradient", guides.depth_gradient);
-        self.add_estimate(pass, accumulated, history)
+        self.estimates(accumulated, history, |node, _| {
+            pass(node, &shaders::VARIANCE_SIGNALS_1)
+                .constant("ESTIMATOR", Estimator::Fading as u32)
+                .constant("VOLUME", 1)
+                .value("sigma_n", UNREAD)
+                .value("sigma_z", UNREAD)
+                .bind("guide", guides.guide)
+                .bind("depth_gradient", guides.depth_gradient)
+        })
     }
 
-    fn add_estimate<K, L>(&mut self, pass: Pass, accumulated: &Port<K>, history: &History) -> Port<L> {
+    /// One pass, or one for each signal where estimates are transients: an image that one pass read is dead when the next one writes.
+    fn estimates<K, L>(&mut self, accumulated: &Port<K>, history: &History, describe: impl Fn(&str, &Port<K>) -> Pass) -> Port<L> {
+        let kept = Port::of_images(history.colour()).filter(|_| history.feedback == Feedback::Accumulated);
+        let signals = if kept.is_some() { accumulated.signals() } else { 1 };
+        let estimate = kept.unwrap_or_else(|| self.image_each(accumulated, "estimate", HDR, 1));
         let new_luminance: Vec<Image> = history.new_luminance().iter().map(|image| self.refreshed(*image)).collect();
-        let pass = pass.each("irradiance", accumulated.images()).each("new_luminance", &new_luminance);
-        self.add(pass.each("luminance_history", history.luminance_history()));
-        self.renewed(accumulated).cast()
+        let images = accumulated.images().chunks(signals).zip(estimate.images().chunks(signals));
+        let luminance = new_luminance.chunks(signals).zip(history.luminance_history().chunks(signals));
+        for ((read, written), (new, moments)) in images.zip(luminance) {
+            let part = Port::of_images(read).unwrap_or(*accumulated);
+            let node = self.node("variance", &self.label_of(&part));
+            let pass = describe(&node, &part).each("irradiance", read).each("new_luminance", new);
+            self.add(pass.each("luminance_history", moments).each("estimate", written));
+        }
+        self.renewed(&estimate)
     }
 }

@@ -128,8 +128,8 @@ const ESTIMATED: Tolerance = Tolerance { relative: 3e-3, absolute: 2e-3, ..HALF 
 
 /// Mean and deviation pass through to the history as they came.
 pub(crate) const RULES: &[Rule] = &[
-    pixels("irradiance_0", ESTIMATED),
-    pixels("irradiance_1", ESTIMATED),
+    pixels("estimate_0", ESTIMATED),
+    pixels("estimate_1", ESTIMATED),
     rule("luminance_history_0", Unit::Pixel, Reading::LuminanceHistory, EXACT),
     rule("luminance_history_1", Unit::Pixel, Reading::LuminanceHistory, EXACT),
 ];
@@ -152,6 +152,6 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let luminance_history: Vec<_> =
         irradiance.iter().zip(new_luminance).map(|(irradiance, new)| join_luminance_history(irradiance, new)).collect();
     let estimated = estimate(b.frame, b.tuning, &geometry, &irradiance, &luminance_history.iter().collect::<Vec<_>>(), deviation);
-    b.write_signals("irradiance", estimated)?;
+    b.write_signals("estimate", estimated)?;
     b.write_signals("luminance_history", luminance_history)
 }

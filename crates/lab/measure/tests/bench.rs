@@ -10,6 +10,7 @@ use std::process::{Command, Output};
 /// Those that need no device.
 const TESTS: &[DeviceTest] = &[
     ("bad_input_is_refused", bad_input_is_refused),
+    ("images_of_half_the_light_are_a_quarter", images_of_half_the_light_are_a_quarter),
     ("a_device_without_statistics_is_named", a_device_without_statistics_is_named),
     ("shaders_are_as_small_as_the_table_says", shaders_are_as_small_as_the_table_says),
 ];
@@ -48,12 +49,14 @@ fn bad_input_is_refused() {
     std::fs::write(&no_figures, "{\"format\": 1}").expect("a file");
     let no_figures = no_figures.to_str().expect("UTF-8");
     let manifest = concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.toml");
-    let refused: [(&[&str], &str); 11] = [
+    let refused: [(&[&str], &str); 13] = [
         (&["--size", "1920"], "\"1920\" is no size: give width and height like 320x180"),
         (&["--size", "0x4"], "\"0x4\" is no size"),
         (&["--preset", "sgvf"], "\"sgvf\" is no preset and no graph; there are: svgf, asvgf"),
         (&["--bandwidth", "0"], "\"0\" is no bandwidth: give GB/s above 0"),
         (&["--content", "walls"], "\"walls\" is no content; there are: moving, wall"),
+        (&["--chip", "RTX 4080 Ti"], "\"RTX 4080 Ti\" is no chip whose data sheet is known here; there are: H200, H100"),
+        (&["--light", "third"], "invalid value 'third' for '--light <LIGHT>'"),
         (&["--size", "8x8", "--levels", "11"], "Config::levels is 11; allowed is 1 to 10"),
         (&["--against", no_figures], "holds no figures of this benchmark; give a file that --json wrote"),
         (&["--against", "/nowhere.json"], "/nowhere.json: "),
@@ -105,6 +108,17 @@ fn every_preset_is_measured_and_compared() {
     {
         assert!(said.contains(expected), "{expected}:\n{said}");
     }
+}
+
+fn images_of_half_the_light_are_a_quarter() {
+    let bytes_of = |light: &str| -> f64 {
+        let output = run(bench().args(["--images", "--preset", "best", "--size", "96x48", "--output", "1", "--light", light]));
+        let said = text(&output.stdout);
+        let row = said.lines().find(|line| line.starts_with("| irradiance_history |")).expect("an image");
+        row.split('|').rev().nth(1).and_then(|cell| cell.trim().parse().ok()).expect("bytes a pixel")
+    };
+    let [full, half] = ["full", "half"].map(bytes_of);
+    assert!(full >= 8.0 && half == full / 4.0, "{half} of {full}");
 }
 
 fn a_device_without_statistics_is_named() {

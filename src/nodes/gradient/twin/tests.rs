@@ -24,7 +24,7 @@ fn samples() -> Image<[u16; 4]> {
     paint([2, 1], |x, _| pack_gradient_sample(3, (x == 0).then_some(sample)))
 }
 
-/// `noisy_luminance` of a frame with grey radiance and albedo.
+/// `noisy_luminance` of a frame with grey radiance and albedo; of strata as of pixels.
 fn luminance_of(l: f32, albedo: f32) -> Image<u32> {
     let guides = guides(EXTENT, |_, _| surface(4.0));
     noisy_luminance(&frame(EXTENT), &guides.guide, &[&grey(l)], Some(&grey(albedo)))

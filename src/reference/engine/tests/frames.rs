@@ -103,7 +103,7 @@ fn what_is_between_the_stages_and_behind_them_can_be_read() {
     let mut deviations = None;
     host.frame_by_pass(&camera(EXTENT, Vec3::ZERO), |engine, frame, pass| {
         if engine.declaration.passes()[pass].name == "variance" {
-            let estimate = engine.declaration.passes()[pass].use_of("irradiance_0").expect("written").resource;
+            let estimate = engine.declaration.passes()[pass].use_of("estimate_0").expect("written").resource;
             let Some(Texels::Colour(image)) = &engine.stored[estimate.0 as usize][0] else { panic!("an image of colours") };
             deviations = Some(image.clone());
         }

@@ -30,6 +30,11 @@ const BANDWIDTHS: [(&str, f64); 22] = [
     ("VANGOGH", 88.0),
 ];
 
+/// The chips that [`bandwidth`] knows.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    BANDWIDTHS.iter().map(|(name, _)| *name)
+}
+
 /// Ends of names of other cards, with other memory.
 const OTHER_CARDS: [&str; 7] = [" Ti", " SUPER", " GRE", " Laptop", " Max-Q", " D", " NVL"];
 

@@ -1,9 +1,8 @@
 //! Graphs to measure besides the presets. Add a function and a line of [`GRAPHS`]; `--preset` takes the name.
 
-use atrous::config::Preset;
 use atrous::graph::{Feedback, Graph};
 use atrous::nodes::{Accumulation, Atrous, Demodulate, Import, Modulate, Variance};
-use atrous::{Config, Declaration, Error};
+use atrous::{Declaration, Error};
 
 /// A graph by name.
 pub struct OwnGraph {
@@ -11,14 +10,7 @@ pub struct OwnGraph {
     pub declare: fn([u32; 2]) -> Result<Declaration, Error>,
 }
 
-pub const GRAPHS: &[OwnGraph] =
-    &[OwnGraph { name: "custom", declare: custom }, OwnGraph { name: "half_light", declare: half_light }];
-
-/// `best` with a quarter of the light, gathered over time at the size of the guides.
-fn half_light(size: [u32; 2]) -> Result<Declaration, Error> {
-    let light = size.map(|side| side / 2);
-    Config { preset: Preset::Best, light_extent: Some(light), output_extent: Some(size), ..Config::new(size) }.declare()
-}
+pub const GRAPHS: &[OwnGraph] = &[OwnGraph { name: "custom", declare: custom }];
 
 /// The graph of docs/graphs.md: SVGF with three levels.
 fn custom(size: [u32; 2]) -> Result<Declaration, Error> {

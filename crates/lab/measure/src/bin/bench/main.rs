@@ -8,6 +8,7 @@ mod content;
 mod graphs;
 mod growth;
 mod host_cost;
+mod images;
 mod inputs;
 mod isa;
 mod measure;
@@ -32,11 +33,20 @@ use std::sync::Arc;
 
 fn main() -> ExitCode {
     let options = Options::parse();
-    let done = if options.isa { isa::run(&options) } else { bench(&options).map(|()| ExitCode::SUCCESS) };
+    let done = match &options {
+        options if options.isa => isa::run(options),
+        options if options.images => print_images(options),
+        options => bench(options).map(|()| ExitCode::SUCCESS),
+    };
     done.unwrap_or_else(|error| {
         eprintln!("error: {error}");
         ExitCode::FAILURE
     })
+}
+
+fn print_images(options: &Options) -> Result<ExitCode, Box<dyn Error>> {
+    print!("{}", images::tables(options)?);
+    Ok(ExitCode::SUCCESS)
 }
 
 fn bench(options: &Options) -> Result<(), Box<dyn Error>> {
@@ -46,7 +56,7 @@ fn bench(options: &Options) -> Result<(), Box<dyn Error>> {
     let clock = if cpu_device && !options.timestamps { Clock::ProcessCpuTime } else { Clock::timestamps(&gpu)? };
     let sizes = options.sizes(cpu_device);
     println!("{}; {}; {} rounds of {} frames\n", gpu.name(), clock.title(), options.rounds, options.frames);
-    let mut report = Report::new(&gpu, clock, options.bandwidth);
+    let mut report = Report::new(&gpu, clock, options.bandwidth.or(options.chip));
     let measured = |size| -> Result<Vec<Case>, Box<dyn Error>> {
         let (contents, frames, rounds) = (&options.contents(), options.frames, options.rounds);
         Measurement { gpu: &gpu, clock, contents, size, frames, rounds }.run(&graphs(options, size)?)

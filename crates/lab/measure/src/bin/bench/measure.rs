@@ -141,7 +141,7 @@ impl Measurement<'_> {
 }
 
 /// Texels of all images of a pass, each once: what a perfect cache would move.
-fn bytes(declaration: &Declaration, pass: &PassDecl) -> u64 {
+pub fn bytes(declaration: &Declaration, pass: &PassDecl) -> u64 {
     let resources = pass.uses.iter().map(|u| declaration.resource(u.resource));
     let images = resources.filter(|r| matches!(r.shape, Shape::Image { .. }) && inputs::is_given(r));
     images.map(|r| r.bytes(declaration.setup())).sum()

@@ -1,7 +1,8 @@
 //! The command line.
 
+use super::chip;
 use super::content::Content;
-use super::subject::{Choices, Subject};
+use super::subject::{Choices, Light, Subject};
 use atrous::config::PostProcess;
 use atrous_options::ConfigArgs;
 use clap::Parser;
@@ -10,7 +11,7 @@ use std::path::PathBuf;
 /// Times every pass of presets and other graphs, with their bytes, memory, start-up and recording.
 ///
 /// docs/lab/performance.md says what the columns mean.
-#[derive(Parser)]
+#[derive(Clone, Parser)]
 #[command(name = "bench")]
 pub struct Options {
     /// Presets or graphs, separated by commas; all presets where none is given
@@ -36,6 +37,9 @@ pub struct Options {
     /// Sides of the output over those of what is rendered, 1 to 3: the picture is gathered at that size (`Config::output_extent`)
     #[arg(long, value_name = "RATIO", value_parser = ratio)]
     pub output: Option<f64>,
+    /// Size of the light: full, or half of the columns and of the rows (`Config::light_extent`), which takes even sizes
+    #[arg(long, value_enum, default_value_t)]
+    pub light: Light,
     /// Tone map and temporal anti-aliasing as well
     #[arg(long)]
     pub post_process: bool,
@@ -54,6 +58,9 @@ pub struct Options {
     /// Memory bandwidth of the device in GB/s, for the floor of each pass; by default that of its data sheet, where it is known here
     #[arg(long, value_parser = bandwidth)]
     pub bandwidth: Option<f64>,
+    /// The chip whose floor is printed in the place of the device's own, such as "RTX 4080"
+    #[arg(long, value_name = "NAME", value_parser = chip_bandwidth, conflicts_with = "bandwidth")]
+    pub chip: Option<f64>,
     /// Writes a page about this device to this file, such as you would send to us: docs/gpus.md
     #[arg(long, value_name = "FILE", conflicts_with = "isa")]
     pub report: Option<PathBuf>,
@@ -72,6 +79,9 @@ pub struct Options {
     /// Prints what the driver's compiler makes of every shader instead: registers, occupancy, instructions, cycles
     #[arg(long)]
     pub isa: bool,
+    /// Prints every image with its format, life and bytes a pixel instead, which needs no device
+    #[arg(long, conflicts_with = "isa")]
+    pub images: bool,
     /// Writes the table of --isa, of all presets, into this Markdown file, between its markers
     #[arg(long, value_name = "FILE", requires = "isa", conflicts_with = "preset")]
     pub update: Option<PathBuf>,
@@ -91,7 +101,8 @@ impl Options {
     pub fn choices(&self) -> Choices {
         let (visibility, volume) = (self.visibility.max(u32::from(self.game)), self.volume || self.game);
         let post_process = if self.post_process { PostProcess::ToneMapTaa } else { PostProcess::None };
-        Choices { config: self.config.clone(), reflections: self.game, visibility, volume, output: self.output, post_process }
+        let Self { config, game: reflections, output, light, .. } = self.clone();
+        Choices { config, reflections, visibility, volume, output, light, post_process }
     }
 
     /// Sizes from small to large.
@@ -124,4 +135,11 @@ fn ratio(text: &str) -> Result<f64, String> {
 fn bandwidth(text: &str) -> Result<f64, String> {
     let given = text.parse().ok().filter(|gb_per_s: &f64| gb_per_s.is_finite() && *gb_per_s > 0.0);
     given.ok_or_else(|| format!("\"{text}\" is no bandwidth: give GB/s above 0, such as 960"))
+}
+
+fn chip_bandwidth(name: &str) -> Result<f64, String> {
+    chip::bandwidth(name).ok_or_else(|| {
+        let known: Vec<_> = chip::names().collect();
+        format!("\"{name}\" is no chip whose data sheet is known here; there are: {}. Or give its --bandwidth", known.join(", "))
+    })
 }

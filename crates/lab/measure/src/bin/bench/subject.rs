@@ -13,6 +13,16 @@ pub enum Subject {
     Own(&'static OwnGraph),
 }
 
+/// Size of the noisy images.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+pub enum Light {
+    /// That of the guides.
+    #[default]
+    Full,
+    /// Half of the columns and of the rows of the guides.
+    Half,
+}
+
 /// The settings of presets; a graph of one's own has its own.
 #[derive(Clone)]
 pub struct Choices {
@@ -25,6 +35,7 @@ pub struct Choices {
     pub volume: bool,
     /// Sides of the output over those of what is rendered.
     pub output: Option<f64>,
+    pub light: Light,
     pub post_process: PostProcess,
 }
 
@@ -49,6 +60,7 @@ impl Subject {
             (choices.visibility == 1, " + visibility"),
             (choices.visibility > 1, &*format!(" + visibility of {} lights", choices.visibility)),
             (choices.volume, " + volume"),
+            (choices.light == Light::Half, " + half the light"),
             (choices.post_process != PostProcess::None, " + post-process"),
         ];
         parts.into_iter().filter(|part| part.0).for_each(|part| label += part.1);
@@ -65,6 +77,7 @@ impl Subject {
                 let signals = if choices.reflections { Signals::Specular } else { Signals::default() };
                 let mut config = Config { preset, signals, visibility, volume, post_process, ..Config::new(size) };
                 config.output_extent = choices.output.map(|ratio| size.map(|side| (ratio * f64::from(side)).round() as u32));
+                config.light_extent = (choices.light == Light::Half).then(|| size.map(|side| side / 2));
                 choices.config.apply(&mut config)?;
                 config.declare()
             }
