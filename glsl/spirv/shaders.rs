@@ -967,6 +967,7 @@ pub(crate) static SPECULAR_ACCUMULATION: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("FILTERED"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("SHARP"), id: 2, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("MIXED"), id: 3, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),

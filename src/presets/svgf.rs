@@ -1,5 +1,6 @@
 //! Spatiotemporal variance-guided filtering \[SVGF\].
 
+use super::past::{albedo, Past};
 use super::specular::{modulated, Specular};
 use super::{firefly_filter, noisy, Denoised};
 use crate::config::Config;
@@ -11,13 +12,19 @@ use crate::nodes::{Accumulation, Atrous, Demodulate, Intermediates, Kernel, Lumi
 /// It reads `signals`, `sampling`, `levels` and `firefly_filter` of the configuration.
 pub fn svgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let noisy = noisy(g, config.signals);
-    let irradiance = g.demodulate(guides, &noisy, Demodulate { sampling: config.sampling, ..Demodulate::default() });
+    let irradiance =
+        g.demodulate(guides, &noisy, Demodulate { albedo: albedo(config), sampling: config.sampling, ..Demodulate::default() });
     let (irradiance, usual) = firefly_filter(g, guides, irradiance, config, config.firefly_filter);
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
-    let history = g.history(&irradiance, Feedback::Filtered);
-    let accumulated = g.temporal_accumulation(guides, &irradiance, &history, Accumulation::default());
+    let past = Past::new(g, config, &irradiance, Feedback::Filtered);
+    let history = past.history;
+    let (accumulated, mixed) = past.accumulated(g, guides, &irradiance, Accumulation::default());
     let estimate = g.variance(guides, &accumulated, &history, Variance::default());
-    let filtered = g.atrous(guides, &estimate, Atrous { levels: config.levels(), feedback: Some(history), ..Atrous::default() });
+    let filtered = g.atrous(
+        guides,
+        &estimate,
+        Atrous { levels: config.levels(), feedback: Some(history), reflection: mixed, ..Atrous::default() },
+    );
     let (radiance, reflection) = modulated(
         g,
         guides,
@@ -33,6 +40,12 @@ pub fn svgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     );
     Denoised {
         radiance,
-        intermediates: Intermediates { history: Some(history), reflection, deviation: true, usual, ..Intermediates::new(&noisy) },
+        intermediates: Intermediates {
+            history: Some(history),
+            reflection: reflection.or(mixed),
+            deviation: true,
+            usual,
+            ..Intermediates::new(&noisy)
+        },
     }
 }

@@ -157,6 +157,8 @@ impl Channels<'_> {
         images.extend(self.scalars(Role::Roughness).map(|r| ("roughness", r.into_iter().map(|r| [r; 4]).collect())));
         if is_specular {
             images.extend(self.vectors(Role::SpecularAlbedo).map(|a| ("specular_albedo", a)));
+        }
+        if is_specular || self.setup.config.signals == Signals::Mixed {
             images.extend(self.vectors(Role::HitDistance).map(|d| ("specular_hit_distance", d)));
             images.extend(self.vectors(Role::HitMotion).map(|m| (Input::SPECULAR_MOTION.name, m)));
         }

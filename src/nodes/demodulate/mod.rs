@@ -25,6 +25,8 @@ choices! {
         /// may give `specular_f0`, the reflectance at normal incidence, from which it is computed \[Karis 2014\]. The optional input
         /// `specular_hit_distance` says how far away is what is seen in the surface.
         Specular = 2 => "specular",
+        /// The optional input `albedo`, of light that is diffuse and specular together, with `specular_hit_distance`.
+        Mixed = 3 => "mixed",
     }
 }
 
@@ -59,7 +61,7 @@ impl Divisor {
     fn new(graph: &mut Graph, albedo: Albedo) -> Self {
         match albedo {
             Albedo::None => Self { albedo: None, specular_f0: None },
-            Albedo::Diffuse => Self { albedo: graph.dividing_albedo(), specular_f0: None },
+            Albedo::Diffuse | Albedo::Mixed => Self { albedo: graph.dividing_albedo(), specular_f0: None },
             Albedo::Specular => {
                 let mut input = |input| Some(graph.input(input));
                 Self { albedo: input(Input::SPECULAR_ALBEDO), specular_f0: input(Input::SPECULAR_F0) }
@@ -101,7 +103,7 @@ impl Graph {
             .each("irradiance", irradiance.images());
         let divisor = Divisor::new(self, demodulate.albedo);
         pass = divisor.bind(pass);
-        if demodulate.albedo == Albedo::Specular {
+        if matches!(demodulate.albedo, Albedo::Specular | Albedo::Mixed) {
             pass = pass.bind("specular_hit_distance", self.input(Input::SPECULAR_HIT_DISTANCE));
         }
         if let Some(kept) = kept {

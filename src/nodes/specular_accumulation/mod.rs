@@ -24,6 +24,9 @@ pub struct SpecularAccumulation {
     /// where the lobe covers less than about 4 pixels: motion does not blur reflections then.
     /// Default: false.
     pub sharp: bool,
+    /// Whether the irradiance is diffuse and specular light together: [`crate::config::Signals::Mixed`].
+    /// Default: false.
+    pub mixed: bool,
 }
 
 /// History of specular light, with the image that its accumulation writes.
@@ -74,6 +77,7 @@ impl Graph {
         let pass = pass(&node, &shaders::SPECULAR_ACCUMULATION)
             .constant("FILTERED", u32::from(*feedback == Feedback::Filtered))
             .constant("SHARP", u32::from(parameters.sharp))
+            .constant("MIXED", u32::from(parameters.mixed))
             .value("alpha", parameters.alpha)
             .value("alpha_moments", parameters.alpha_moments)
             .bind("guide", guides.guide)

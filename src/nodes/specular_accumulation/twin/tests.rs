@@ -65,6 +65,7 @@ impl Wall {
             noisy: &self.noisy,
             is_filtered: self.is_filtered,
             is_sharp: self.is_sharp,
+            is_mixed: false,
             roughness: self.roughness.as_ref(),
             history_confidence: None,
             instances: Instances {
