@@ -6,11 +6,12 @@
 // In:  guide (current, previous), surface_motion, depth_gradient; noisy: specular irradiance, hit distance; roughness of the host; history and
 //      moments of the previous frame, and its reflection; history_confidence as in temporal_accumulation.comp; by which instances the mirror
 //      and the thing in it move: specular_hit_id, surface_id, instance_transforms; or the thing by the host: specular_motion, scene units.
+//      Of mixed light: albedo and specular_albedo, which tell how much of it a lobe explains.
 // Out: statistics; accumulated: irradiance, history length; new_luminance; reflection: filtered hit distance (scene units), roughness, which past was taken.
 // Constants: FILTERED: what is accumulated was filtered, so that what is kept longer is blurred more often.
 // MIXED: diffuse and specular light are one signal. The lobe is as wide as both together allow, and the light of now alone tells which past it shows.
 // SHARP: irradiance by the cubic of Catmull and Rom (1974) over 4x4 taps, so that motion does not blur it.
-// optional: roughness, history_confidence, specular_hit_id, specular_motion, surface_id, instance_transforms
+// optional: roughness, history_confidence, specular_hit_id, specular_motion, surface_id, instance_transforms, albedo, specular_albedo
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
@@ -47,6 +48,7 @@ layout(push_constant) uniform Push {
 #include "roughness.glsl"
 #include "reflection.glsl"
 #include "cubic.glsl"
+#include "demodulation.glsl"
 
 const uint ROUGHNESS = 6u;
 const uint HISTORY_CONFIDENCE = 7u;
@@ -54,6 +56,8 @@ const uint SPECULAR_HIT_ID = 14u;
 const uint SURFACE_ID = 15u;
 const uint INSTANCE_TRANSFORMS = 16u;
 const uint SPECULAR_MOTION = 18u;
+const uint ALBEDO = 19u;
+const uint SPECULAR_ALBEDO = 20u;
 
 layout(set = 0, binding = 2) uniform utexture2D previous_guide;
 layout(set = 0, binding = 3) uniform utexture2D surface_motion;
@@ -70,6 +74,8 @@ layout(set = 0, binding = 13, r32ui) uniform writeonly uimage2D reflection;
 PACKED_IMAGE(17, guide);
 layout(set = 0, binding = SPECULAR_HIT_ID) uniform utexture2D specular_hit_id;
 layout(set = 0, binding = SPECULAR_MOTION) uniform texture2D specular_motion;
+layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
+layout(set = 0, binding = SPECULAR_ALBEDO) uniform texture2D specular_albedo;
 layout(set = 0, binding = SURFACE_ID) uniform utexture2D surface_id;
 layout(set = 0, binding = INSTANCE_TRANSFORMS, std430) readonly buffer InstanceTransforms { vec4 rows[]; } instance_transforms;
 
@@ -420,6 +426,15 @@ Past best_past(Centre c, float roughness, float explained, inout float hit_dista
     return past;
 }
 
+// Of light that is mixed, the share that a lobe explains: that of the coat in all that is reflected.
+float explained_share(ivec2 p) {
+    if (!is_present(ALBEDO) || !is_present(SPECULAR_ALBEDO)) return UNKNOWN_SHARE;
+    ivec2 traced = guide_pixel(p);
+    float base = luminance(reflectance_of(texelFetch(albedo, host_pixel(ALBEDO, traced), 0).rgb));
+    float coat = luminance(reflectance_of(texelFetch(specular_albedo, host_pixel(SPECULAR_ALBEDO, traced), 0).rgb));
+    return base + coat > 0.0 ? coat / (base + coat) : UNKNOWN_SHARE;
+}
+
 // Frames of a past, with this one, which is worth `worth` of them and whose weight is at least `least`.
 float length_with(float frames, float worth, float least) {
     float history_length = min(frames + worth, push.max_history_length);
@@ -441,7 +456,7 @@ void main() {
     if (!background) {
         Centre c = centre_of(p, packed, luminance_origin(value.rgb));
         seen.hit_distance = hit_distance_now(c, max(value.a, 0.0), rough);
-        float explained = MIXED ? UNKNOWN_SHARE : 1.0;
+        float explained = MIXED ? explained_share(p) : 1.0;
         if (MIXED) seen.roughness = mixed_roughness(c.depth, seen, explained);
         if (!has_flag(FLAG_RESET)) {
             float share, steadiness;

@@ -24,7 +24,8 @@ pub struct SpecularAccumulation {
     /// where the lobe covers less than about 4 pixels: motion does not blur reflections then.
     /// Default: false.
     pub sharp: bool,
-    /// Whether the irradiance is diffuse and specular light together: [`crate::config::Signals::Mixed`].
+    /// Whether the irradiance is diffuse and specular light together: [`crate::config::Signals::Mixed`]. The optional inputs `albedo`
+    /// and `specular_albedo` tell how much of it a lobe explains.
     /// Default: false.
     pub mixed: bool,
 }
@@ -97,6 +98,10 @@ impl Graph {
             .bind("accumulated", accumulated.image())
             .bind("new_luminance", history.new_luminance()[0])
             .bind("reflection", reflection);
+        let pass = match parameters.mixed {
+            true => pass.bind("albedo", self.input(Input::ALBEDO)).bind("specular_albedo", self.input(Input::SPECULAR_ALBEDO)),
+            false => pass,
+        };
         self.add(pass);
         AccumulatedSpecular {
             accumulated: self.renewed(accumulated).with_holes_of(irradiance),

@@ -1,12 +1,13 @@
 //! The stage `specular_accumulation`: specular irradiance blended with what was seen in the surface before.
 
+use crate::nodes::demodulate::twin::reflectance;
 use crate::nodes::temporal_accumulation::twin::{blend, fresh, AlphaBounds, Reprojected};
 use crate::reference::binary16::LARGEST_HALF;
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
 use crate::reference::conventions::{is_reset, roughness_channel};
 use crate::reference::guide::{unpack_guide, Surface};
-use crate::reference::luminance::texel_luminance;
+use crate::reference::luminance::{luminance, texel_luminance};
 use crate::reference::luminance_history::{pack_luminance_history, split_luminance_history, LuminanceHistory, Reason};
 use crate::reference::reflection::{
     hit_distance_of, lobe_radius, mixed_roughness, nearness, pack_reflection, roughness_of, SeenReflection,
@@ -63,6 +64,8 @@ pub(crate) struct SpecularAccumulationInputs<'a> {
     pub is_sharp: bool,
     /// Whether the irradiance is diffuse and specular light together.
     pub is_mixed: bool,
+    /// Of mixed light: rgb, the reflectance of base and coat.
+    pub reflectances: Option<[&'a Image<[f32; 4]>; 2]>,
     /// x: roughness of the host.
     pub roughness: Option<&'a Image<[f32; 4]>>,
     /// By which instances mirrors and the things in them move.
@@ -153,7 +156,7 @@ impl Scene<'_> {
         }
         let c = self.centre(p, surface);
         let mut seen = SeenReflection { hit_distance: self.hit_distance_now(&c, own_distance.max(0.0), roughness), roughness };
-        let explained = if self.inputs.is_mixed { UNKNOWN_SHARE } else { 1.0 };
+        let explained = if self.inputs.is_mixed { self.explained_share(p) } else { 1.0 };
         if self.inputs.is_mixed {
             seen.roughness = mixed_roughness(self.frame, surface.linear_depth, seen, explained);
         }
@@ -168,6 +171,17 @@ impl Scene<'_> {
             instances.has_bad_motion(&c.mirror, seen.hit_distance),
         ];
         (texel, luminance_history, seen, best.map(|best| best.image_share), is_bad)
+    }
+
+    /// Of mixed light: the share of the coat in all that is reflected.
+    fn explained_share(&self, p: IVec2) -> f32 {
+        let Some(images) = self.inputs.reflectances else { return UNKNOWN_SHARE };
+        let [base, coat] = images.map(|image| luminance(reflectance(image.at(self.frame.guide_pixel(p)))));
+        if base + coat > 0.0 {
+            coat / (base + coat)
+        } else {
+            UNKNOWN_SHARE
+        }
     }
 
     fn centre(&self, p: IVec2, surface: Surface) -> Centre {
@@ -240,6 +254,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         is_filtered: b.is_on("FILTERED")?,
         is_sharp: b.is_on("SHARP")?,
         is_mixed: b.is_on("MIXED")?,
+        reflectances: b.optional_colour("albedo")?.zip(b.optional_colour("specular_albedo")?).map(Into::into),
         roughness: b.optional_colour("roughness")?,
         history_confidence: b.optional_scalar("history_confidence")?,
         instances: Instances {

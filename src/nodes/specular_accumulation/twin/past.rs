@@ -188,7 +188,8 @@ impl Scene<'_> {
         let by_light = !is_mixed && !is_known;
         // The part of the light that moves as an image does.
         let mirrored = if is_mixed { explained * share } else { 1.0 };
-        let steadiness = position.filter(|_| !is_mixed && !by_light).map_or(0.0, |position| share * self.steadiness(c, radius, position));
+        let steadiness =
+            position.filter(|_| !is_mixed && !by_light).map_or(0.0, |position| share * self.steadiness(c, radius, position));
         let mut kept = 0.0;
         if let Some(past) = surface.as_mut().filter(|_| by_light) {
             let frames = self.frames_by_light(c, c.mirror.surface_position, past, AGREES_WIDEST, true);

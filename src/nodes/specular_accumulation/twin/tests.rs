@@ -66,6 +66,7 @@ impl Wall {
             is_filtered: self.is_filtered,
             is_sharp: self.is_sharp,
             is_mixed: false,
+            reflectances: None,
             roughness: self.roughness.as_ref(),
             history_confidence: None,
             instances: Instances {
