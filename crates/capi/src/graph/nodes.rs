@@ -104,7 +104,7 @@ nodes! {
         };
         specular_history(port irradiance) [choice feedback];
         specular_accumulation(port guides, port irradiance, port history) SpecularAccumulation {
-            optional confidence, value alpha, value alpha_moments, flag sharp
+            optional confidence, value alpha, value alpha_moments, flag sharp, flag mixed
         };
         variance(port guides, port accumulated, port history) Variance { choice estimator, value spatial_variance_frames };
         atrous(port guides, port estimate) Atrous {
