@@ -18,13 +18,7 @@ pub fn asvgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let compared = compared(g, &noisy, config);
     let change = change_of_light(g, guides, &compared, gradients);
     let samples = gradients.and_then(|gradients| gradients.samples());
-    let demodulate = Demodulate {
-        albedo: albedo(config),
-        gradient: change.gradient,
-        samples,
-        sampling: config.sampling,
-        ..Demodulate::default()
-    };
+    let demodulate = Demodulate { albedo: albedo(config), gradient: change.gradient, samples, sampling: config.sampling };
     let irradiance = g.demodulate(guides, &noisy, demodulate);
     let (irradiance, usual) = firefly_filter(g, guides, irradiance, config, config.firefly_filter);
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);

@@ -77,7 +77,7 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
         g.gradient_atrous(guides, &gradient)
     });
     let samples = gradients.and_then(|gradients| gradients.samples());
-    let demodulate = Demodulate { albedo: albedo(config), gradient, samples, sampling: config.sampling, ..Demodulate::default() };
+    let demodulate = Demodulate { albedo: albedo(config), gradient, samples, sampling: config.sampling };
     let irradiance = g.demodulate(guides, &noisy, demodulate);
     let (irradiance, usual) = firefly_filter(g, guides, irradiance, config, best.firefly_filter);
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);

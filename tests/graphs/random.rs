@@ -125,7 +125,7 @@ fn surfaces(g: &mut Graph, dice: &mut Dice, guides: &Guides, output: &str) -> Br
     let radiance = g.modulate(
         guides,
         &filtered,
-        Modulate { albedo, mixed: dice.coin(), specular, emission: dice.coin(), float_output: dice.coin() },
+        Modulate { albedo, mixed: !specular, specular, emission: dice.coin(), float_output: dice.coin() },
     );
     g.output(output, &radiance);
     if let Some(confidence) = change.confidence.filter(|_| dice.coin()) {
