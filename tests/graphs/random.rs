@@ -122,10 +122,11 @@ fn surfaces(g: &mut Graph, dice: &mut Dice, guides: &Guides, output: &str) -> Br
     let filter = Filter { guides, history, feedback, other: &format!("{output}_by_the_other_kernel"), albedo };
     let (filtered, deviation) = filter.add(g, dice, &accumulated);
     let (filtered, specular) = beside_specular(g, dice, guides, filtered, change.confidence);
+    // Never mixed: the light that comes is not divided by the coat.
     let radiance = g.modulate(
         guides,
         &filtered,
-        Modulate { albedo, mixed: !specular, specular, emission: dice.coin(), float_output: dice.coin() },
+        Modulate { albedo, mixed: false, specular, emission: dice.coin(), float_output: dice.coin() },
     );
     g.output(output, &radiance);
     if let Some(confidence) = change.confidence.filter(|_| dice.coin()) {
