@@ -2,7 +2,7 @@
 // Divides the noisy radiance by the albedo, so that texture does not reach the filters, and stops what is not finite.
 // Source: [SVGF] section 3, demodulation by the albedo.
 // In:  noisy radiance per signal and albedo of the host, linear Rec. 709; guide. Specular light has specular_f0 in place of an albedo where the
-//      host has none, and specular_hit_distance. Out: irradiance per signal; alpha: 0 (-1 in holes), or the hit distance
+//      host has none, and specular_hit_distance. Mixed light has both albedos, which add up. Out: irradiance per signal; alpha: 0 (-1 in holes), or the hit distance
 //      (scene units; 0: unknown; 65504: beyond the scene). Radiance that is not finite is no sample: a hole, filled from the 3x3 pixels around
 //      it (alpha -1; -2: none of them has a sample), unless the input is sub-sampled: then fill_holes or eaw does it.
 //      With LUMINANCE noisy_luminance: luminance of the noisy radiance, or of the radiance `compared` (-1: not finite), and of the albedo,
@@ -10,7 +10,7 @@
 //      where that alone is asked for, else every pixel.
 // Constants: SAMPLING: levels of [EAW] that fill the holes of a sub-sampled input; 0 where every pixel has a sample. STRATUM_SIZE: with
 // LUMINANCE; 1 without candidates.
-// optional: albedo, specular_f0, specular_hit_distance, noisy_1, irradiance_1, compared_0, compared_1, noisy_red_blue, candidates
+// optional: albedo, specular_albedo, specular_f0, specular_hit_distance, noisy_1, irradiance_1, compared_0, compared_1, noisy_red_blue, candidates
 // variants: LUMINANCE=0 LUMINANCE=1
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -50,6 +50,7 @@ const uint NOISY_RED_BLUE = 11u;
 const uint SPECULAR_F0 = 12u;
 const uint SPECULAR_HIT_DISTANCE = 13u;
 const uint CANDIDATES = 15u;
+const uint SPECULAR_ALBEDO = 16u;
 
 layout(set = 0, binding = 2) uniform utexture2D guide;
 layout(set = 0, binding = 14) uniform utexture2D depth_gradient;
@@ -59,6 +60,7 @@ layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D irradiance_0;
 layout(set = 0, binding = NOISY_1) uniform texture2D noisy_1;
 layout(set = 0, binding = 7, rgba16f) uniform writeonly image2D irradiance_1;
 layout(set = 0, binding = SPECULAR_F0) uniform texture2D specular_f0;
+layout(set = 0, binding = SPECULAR_ALBEDO) uniform texture2D specular_albedo;
 layout(set = 0, binding = SPECULAR_HIT_DISTANCE) uniform texture2D specular_hit_distance;
 #if LUMINANCE
 layout(set = 0, binding = 8, r32ui) uniform writeonly uimage2D noisy_luminance;
@@ -74,6 +76,7 @@ vec3 divisor_at(ivec2 p, GuideBits packed, out bool bad) {
     if ((!is_present(ALBEDO) && !from_f0) || guide_depth(packed) == 0.0) return vec3(1.0);
     ivec2 traced = guide_pixel(p);
     vec3 a = from_f0 ? texelFetch(specular_f0, host_pixel(SPECULAR_F0, traced), 0).rgb : texelFetch(albedo, host_pixel(ALBEDO, traced), 0).rgb;
+    if (!from_f0 && is_present(SPECULAR_ALBEDO)) a += texelFetch(specular_albedo, host_pixel(SPECULAR_ALBEDO, traced), 0).rgb;
     bad = !is_finite(a);
     return divisor_of(from_f0 ? specular_albedo_from(a, p, packed) : a);
 }

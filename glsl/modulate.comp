@@ -5,7 +5,7 @@
 // With UPSAMPLED the irradiance has fewer pixels, and is brought to each rendered one first, as upsample does; so it is never stored.
 // In:  filtered irradiance per signal; albedo and emission of the host, and for specular light, the second signal then, an albedo of its own,
 //      or specular_f0; guide, with UPSAMPLED of the pixels with light, and rendered_guide of all. Out: denoised_radiance, linear Rec. 709.
-// Constant SPECULAR: the second signal is specular light.
+// Constant SPECULAR: the second signal is specular light. Without it both albedos add up, as those of mixed light do.
 // variants: FLOAT=0 FLOAT=1 FLOAT=0,UPSAMPLED=1 FLOAT=1,UPSAMPLED=1
 // optional: albedo, emission, filtered_1, specular_albedo, specular_f0
 #extension GL_EXT_control_flow_attributes : require
@@ -59,6 +59,7 @@ layout(set = 0, binding = SPECULAR_F0) uniform texture2D specular_f0;
 vec3 factor_at(ivec2 p) {
     if (!is_present(ALBEDO) || guide_depth(GuideBits(texelFetch(rendered_guide, p, 0))) == 0.0) return vec3(1.0);
     vec3 a = texelFetch(albedo, host_pixel(ALBEDO, p), 0).rgb;
+    if (!SPECULAR && is_present(SPECULAR_ALBEDO)) a += texelFetch(specular_albedo, host_pixel(SPECULAR_ALBEDO, p), 0).rgb;
     if (!has_convention(DEMODULATED)) return divisor_of(a);
     if (!is_finite(a)) count_bad(BAD_ALBEDO);
     return reflectance_of(a);

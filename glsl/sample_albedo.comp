@@ -2,10 +2,10 @@
 // Divides the light of a gradient sample by the albedo of the point that it comes from, which is not that of the pixel's centre: demodulate has
 // divided by the latter. Without that a pixel in every stratum has the light of one texel and the albedo of another where textures are fine.
 // Source: ours. [ASVGF] 3.1 patches the G-buffer of these pixels instead, so that the picture has the texture of that point.
-// In:  gradient_samples; candidates of this frame; guide; albedo, or specular_f0, by which demodulate divided. candidate_albedo of the previous
+// In:  gradient_samples; candidates of this frame; guide; albedo, with specular_albedo of mixed light, or specular_f0, by which demodulate divided. candidate_albedo of the previous
 //      frame. In place, pixels of samples only: irradiance per signal. Out: candidate_albedo: rgb: divisor at the candidate of every stratum.
 // Constants: STRATUM_SIZE.
-// optional: irradiance_1, albedo, specular_f0
+// optional: irradiance_1, albedo, specular_f0, specular_albedo
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 
@@ -25,6 +25,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 const uint IRRADIANCE_1 = 7u;
 const uint ALBEDO = 8u;
 const uint SPECULAR_F0 = 9u;
+const uint SPECULAR_ALBEDO = 10u;
 
 layout(set = 0, binding = 1) uniform utexture2D guide;
 layout(set = 0, binding = 2) uniform utexture2D gradient_samples;
@@ -35,6 +36,7 @@ layout(set = 0, binding = 6, rgba16f) uniform image2D irradiance_0;
 layout(set = 0, binding = IRRADIANCE_1, rgba16f) uniform image2D irradiance_1;
 layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
 layout(set = 0, binding = SPECULAR_F0) uniform texture2D specular_f0;
+layout(set = 0, binding = SPECULAR_ALBEDO) uniform texture2D specular_albedo;
 
 // As candidate_albedo has it: the same divisor gives a factor of 1.
 vec3 as_halves(vec3 v) {
@@ -44,6 +46,11 @@ vec3 as_halves(vec3 v) {
 
 vec3 divisor_at(ivec2 p) {
     GuideBits packed = GuideBits(texelFetch(guide, p, 0));
+    if (is_present(ALBEDO) && is_present(SPECULAR_ALBEDO) && guide_depth(packed) != 0.0) {
+        ivec2 traced = guide_pixel(p);
+        vec3 both = texelFetch(albedo, host_pixel(ALBEDO, traced), 0).rgb + texelFetch(specular_albedo, host_pixel(SPECULAR_ALBEDO, traced), 0).rgb;
+        return as_halves(divisor_of(both));
+    }
     return as_halves(divisor_from(p, packed, is_present(ALBEDO), ALBEDO, albedo, is_present(SPECULAR_F0), SPECULAR_F0, specular_f0));
 }
 

@@ -6,10 +6,12 @@
 // In:  guide (current, previous), surface_motion, depth_gradient; noisy: specular irradiance, hit distance; roughness of the host; history and
 //      moments of the previous frame, and its reflection; history_confidence as in temporal_accumulation.comp; by which instances the mirror
 //      and the thing in it move: specular_hit_id, surface_id, instance_transforms; or the thing by the host: specular_motion, scene units.
+//      Of mixed light: albedo and specular_albedo, which tell how much of it a lobe explains.
 // Out: statistics; accumulated: irradiance, history length; new_luminance; reflection: filtered hit distance (scene units), roughness, which past was taken.
 // Constants: FILTERED: what is accumulated was filtered, so that what is kept longer is blurred more often.
+// MIXED: diffuse and specular light are one signal. The lobe is as wide as both together allow, and the light of now alone tells which past it shows.
 // SHARP: irradiance by the cubic of Catmull and Rom (1974) over 4x4 taps, so that motion does not blur it.
-// optional: roughness, history_confidence, specular_hit_id, specular_motion, surface_id, instance_transforms
+// optional: roughness, history_confidence, specular_hit_id, specular_motion, surface_id, instance_transforms, albedo, specular_albedo
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
@@ -20,6 +22,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 1) const bool FILTERED = false;
 layout(constant_id = 2) const bool SHARP = false;
+layout(constant_id = 3) const bool MIXED = false;
 
 layout(push_constant) uniform Push {
     uint present;
@@ -45,6 +48,7 @@ layout(push_constant) uniform Push {
 #include "roughness.glsl"
 #include "reflection.glsl"
 #include "cubic.glsl"
+#include "demodulation.glsl"
 
 const uint ROUGHNESS = 6u;
 const uint HISTORY_CONFIDENCE = 7u;
@@ -52,6 +56,8 @@ const uint SPECULAR_HIT_ID = 14u;
 const uint SURFACE_ID = 15u;
 const uint INSTANCE_TRANSFORMS = 16u;
 const uint SPECULAR_MOTION = 18u;
+const uint ALBEDO = 19u;
+const uint SPECULAR_ALBEDO = 20u;
 
 layout(set = 0, binding = 2) uniform utexture2D previous_guide;
 layout(set = 0, binding = 3) uniform utexture2D surface_motion;
@@ -68,6 +74,8 @@ layout(set = 0, binding = 13, r32ui) uniform writeonly uimage2D reflection;
 PACKED_IMAGE(17, guide);
 layout(set = 0, binding = SPECULAR_HIT_ID) uniform utexture2D specular_hit_id;
 layout(set = 0, binding = SPECULAR_MOTION) uniform texture2D specular_motion;
+layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
+layout(set = 0, binding = SPECULAR_ALBEDO) uniform texture2D specular_albedo;
 layout(set = 0, binding = SURFACE_ID) uniform utexture2D surface_id;
 layout(set = 0, binding = INSTANCE_TRANSFORMS, std430) readonly buffer InstanceTransforms { vec4 rows[]; } instance_transforms;
 
@@ -89,6 +97,8 @@ const float TURNED = 1e-3;
 // all noise of what it shows is left to its history.
 const float STEADY_ALPHA = 0.4;
 
+// Pixels that a past may be off in each frame where no lobe blurs it.
+const float SHARPEST = 0.5;
 // Pixels that a past may be off: a lobe of four and more blurs what it shows by more than bilinear taps do.
 const float BLURRED_ANYWAY = 2.5;
 
@@ -124,8 +134,14 @@ const float FEWEST_ROWS = 6.0;
 const float FEWEST_IN_CORNER = 4.0;
 const float BEYOND_CHANCE = 3.0;
 
+// Of light that is mixed, the share that a lobe explains where nobody says how much base and coat reflect.
+const float UNKNOWN_SHARE = 0.5;
+
 // Depths to a thing whose hit distance nobody knows: what is far away, or in a curved mirror, is seen next to where this is.
 const float UNKNOWN_REACH = 1e4;
+
+// The same of the nearest thing that a surface may show.
+const float NEAREST_REACH = 0.125;
 
 // What the past holds at one position.
 struct Past {
@@ -336,7 +352,7 @@ float steadiness_of(Centre c, float radius, vec2 image_position) {
 
 // The better of two pasts, or a blend of both, in the light of this frame; its frames are what it is worth. `hit_distance`: of this frame, then with its past.
 // `image_share`: of the blend, from where the image was. `steadiness`: see steadiness_of.
-Past best_past(Centre c, float roughness, inout float hit_distance, out float image_share, out float steadiness) {
+Past best_past(Centre c, float roughness, float explained, inout float hit_distance, out float image_share, out float steadiness) {
     Past surface = past_at(c, c.mirror.surface_position);
     float radius = lobe_radius(c.depth, Reflection(hit_distance, roughness));
     bool is_known = hit_distance > 0.0;
@@ -347,11 +363,12 @@ Past best_past(Centre c, float roughness, inout float hit_distance, out float im
     }
     Reflection seen = Reflection(hit_distance, roughness);
     // What nobody knows is tried as a mirror, and the light of now tells.
-    if (!is_known) seen = Reflection(UNKNOWN_REACH * c.depth, is_present(ROUGHNESS) ? roughness : 0.0);
+    if (!is_known) seen = Reflection(UNKNOWN_REACH * c.depth, MIXED || is_present(ROUGHNESS) ? roughness : 0.0);
     Curvature curvature = curvature_at(c.mirror);
     float share = mirror_share(seen.roughness);
-    float tolerance = 0.5 + 0.5 * lobe_radius(c.depth, Reflection(mirror_image_distance(seen.hit_distance, curvature.mean), seen.roughness));
+    float tolerance = SHARPEST + 0.5 * lobe_radius(c.depth, Reflection(mirror_image_distance(seen.hit_distance, curvature.mean), seen.roughness));
     vec2 position = c.mirror.surface_position;
+    bool by_light = !MIXED && !is_known;
     Past image = nothing();
     BadMotion bad;
     Scenery before = scenery_before(c.mirror, curvature, Reflection(hit_distance, roughness), bad);
@@ -364,10 +381,24 @@ Past best_past(Centre c, float roughness, inout float hit_distance, out float im
     }
     bool found = virtual_position(c.mirror, curvature, before.mirror, before.image, seen.roughness, position);
     float moved = distance(position, c.mirror.surface_position);
-    if (is_known) {
-        steadiness = found ? share * steadiness_of(c, radius, position) : 0.0;
-        if (found && is_in_lobe(position, before.thing, seen.roughness)) image = past_at(c, position);
-        if (found) surface.frames = worth(surface.frames, moved, tolerance);
+    // The part of the light that moves as an image does.
+    float mirrored = MIXED ? explained * share : 1.0;
+    bool in_lobe = found && (!is_known || is_in_lobe(position, before.thing, seen.roughness));
+    if (!by_light) {
+        vec2 nearest = position;
+        if (MIXED && !is_known) {
+            // The thing may be anywhere from there on.
+            vec3 near = image_at_rest(NEAREST_REACH * c.depth);
+            if (!virtual_position(c.mirror, curvature, before.mirror, near, seen.roughness, nearest)) nearest = position;
+        }
+        float least = min(moved, distance(nearest, c.mirror.surface_position));
+        steadiness = found && !MIXED ? share * steadiness_of(c, radius, position) : 0.0;
+        // Of mixed light a lookup at the same place would blur the sharp one beside it.
+        if (in_lobe && (!MIXED || moved > STILL)) image = past_at(c, position);
+        // Of mixed light, each past is off for the part of the other, and no lobe blurs what is diffuse.
+        if (found) surface.frames = worth(surface.frames, mirrored * least, tolerance);
+        float off = (1.0 - mirrored) * moved / SHARPEST + mirrored * distance(position, nearest) / tolerance;
+        if (MIXED) image.frames = worth(image.frames, off, 1.0);
     } else {
         steadiness = 0.0;
         float kept = 0.0;
@@ -386,7 +417,8 @@ Past best_past(Centre c, float roughness, inout float hit_distance, out float im
         bool known = virtual_position(c.mirror, curvature, before.mirror, image_there, seen.roughness, remembered);
         image.frames = worth(image.frames, known ? distance(position, remembered) : 0.0, tolerance);
         // Another thing is seen there now, or another finish of the surface. Of a thing that was followed, lobes and outlines change the distance.
-        float change = abs(seen.roughness - image.roughness) * 8.0;
+        // Of light that is mixed the roughness goes with the hit distance.
+        float change = MIXED ? 0.0 : abs(seen.roughness - image.roughness) * 8.0;
         if (!before.followed) change += abs(nearness_of(c.depth, before.image.z) - image.nearness) * share / (0.05 + lobe_width(seen.roughness));
         image.frames = worth(image.frames, change, 2.0);
     }
@@ -396,14 +428,26 @@ Past best_past(Centre c, float roughness, inout float hit_distance, out float im
     bool of_image = image_share > 0.49;
     vec2 chosen = of_image ? position : c.mirror.surface_position;
     vec3 sharp;
-    if (SHARP && tolerance < BLURRED_ANYWAY && sharp_irradiance(c, chosen, sharp)) {
+    if (SHARP && (MIXED || tolerance < BLURRED_ANYWAY) && sharp_irradiance(c, chosen, sharp)) {
         if (of_image) image.light.irradiance = sharp;
         else surface.light.irradiance = sharp;
     }
     Past past = !surface.found ? image : !image.found ? surface : mixed(surface, image, image_share);
-    if (is_known && past.found) past.frames = frames_by_light(c, chosen, past, share > 0.0 ? AGREES : AGREES_WIDEST, false);
+    if (!by_light && past.found && (!MIXED || share > 0.0)) {
+        float agreeing = frames_by_light(c, chosen, past, share > 0.0 ? AGREES : AGREES_WIDEST, false);
+        past.frames = MIXED ? mix(past.frames, agreeing, mirrored) : agreeing;
+    }
     past.light = in_light(past.light, c.origin, vec3(1.0), frame.exposure_ratio);
     return past;
+}
+
+// Of light that is mixed, the share that a lobe explains: that of the coat in all that is reflected.
+float explained_share(ivec2 p) {
+    if (!is_present(ALBEDO) || !is_present(SPECULAR_ALBEDO)) return UNKNOWN_SHARE;
+    ivec2 traced = guide_pixel(p);
+    float base = luminance(reflectance_of(texelFetch(albedo, host_pixel(ALBEDO, traced), 0).rgb));
+    float coat = luminance(reflectance_of(texelFetch(specular_albedo, host_pixel(SPECULAR_ALBEDO, traced), 0).rgb));
+    return base + coat > 0.0 ? coat / (base + coat) : UNKNOWN_SHARE;
 }
 
 // Frames of a past, with this one, which is worth `worth` of them and whose weight is at least `least`.
@@ -427,9 +471,11 @@ void main() {
     if (!background) {
         Centre c = centre_of(p, packed, luminance_origin(value.rgb));
         seen.hit_distance = hit_distance_now(c, max(value.a, 0.0), rough);
+        float explained = MIXED ? explained_share(p) : 1.0;
+        if (MIXED) seen.roughness = mixed_roughness(c.depth, seen, explained);
         if (!has_flag(FLAG_RESET)) {
             float share, steadiness;
-            Past past = best_past(c, rough, seen.hit_distance, share, steadiness);
+            Past past = best_past(c, seen.roughness, explained, seen.hit_distance, share, steadiness);
             luminance_history = first_luminance(value.rgb, worth, REASON_DEPTH);
             if (past.found) {
                 image_share = share;

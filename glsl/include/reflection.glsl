@@ -45,6 +45,17 @@ float lobe_radius(float linear_depth, Reflection r) {
     return min(lobe_width(r.roughness) * r.hit_distance / pixel_size(linear_depth + r.hit_distance).y, 65504.0);
 }
 
+// Of a lobe that explains half of the light: its width, and its radius in pixels, both squared.
+const float MIXED_WIDTH = 1e-3;
+const float MIXED_RADIUS = 4.0;
+
+// Roughness of diffuse and specular light together: the less of it the lobe explains, the wider the light may be blurred.
+float mixed_roughness(float linear_depth, Reflection r, float explained) {
+    float width = lobe_width(r.roughness), radius = lobe_radius(linear_depth, Reflection(r.hit_distance, 1.0)), share = max(explained, 1e-3);
+    float squared = width * width / share + (1.0 / share - 1.0) * (MIXED_WIDTH + MIXED_RADIUS / max(radius * radius, 1e-6));
+    return sqrt(sqrt(min(squared, 1.0)));
+}
+
 // Hit distance as a share of the way from the eye: bounded, and next to what moves on the screen, so that means are taken of it. 0 of the
 // background, too.
 float nearness_of(float linear_depth, float hit_distance) { return hit_distance / max(linear_depth + hit_distance, 1e-20); }

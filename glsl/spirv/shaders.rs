@@ -227,6 +227,7 @@ pub(crate) static DEMODULATE_LUMINANCE_0: Shader = Shader {
         ShaderBinding { number: 12, name: Cow::Borrowed("specular_f0"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 13, name: Cow::Borrowed("specular_hit_distance"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 14, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 16, name: Cow::Borrowed("specular_albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
@@ -259,6 +260,7 @@ pub(crate) static DEMODULATE_LUMINANCE_1: Shader = Shader {
         ShaderBinding { number: 13, name: Cow::Borrowed("specular_hit_distance"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 14, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
         ShaderBinding { number: 15, name: Cow::Borrowed("candidates"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 16, name: Cow::Borrowed("specular_albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
@@ -873,6 +875,7 @@ pub(crate) static SAMPLE_ALBEDO: Shader = Shader {
         ShaderBinding { number: 7, name: Cow::Borrowed("irradiance_1"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite), optional: true },
         ShaderBinding { number: 8, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 9, name: Cow::Borrowed("specular_f0"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 10, name: Cow::Borrowed("specular_albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
@@ -956,6 +959,8 @@ pub(crate) static SPECULAR_ACCUMULATION: Shader = Shader {
         ShaderBinding { number: 16, name: Cow::Borrowed("instance_transforms"), kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly), optional: true },
         ShaderBinding { number: 17, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
         ShaderBinding { number: 18, name: Cow::Borrowed("specular_motion"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 19, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 20, name: Cow::Borrowed("specular_albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
@@ -969,6 +974,7 @@ pub(crate) static SPECULAR_ACCUMULATION: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("FILTERED"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("SHARP"), id: 2, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("MIXED"), id: 3, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),

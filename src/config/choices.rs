@@ -16,6 +16,10 @@ choices! {
         /// Two, `noisy_diffuse` and `noisy_specular`, each with an albedo of its own. What is seen in glossy surfaces is followed where
         /// it moves, behind the surface, by the input `specular_hit_distance`, and filtered as far as the `roughness` blurs it.
         Specular = 2 => "specular",
+        /// One image, `noisy_radiance`, with the `roughness` of surfaces: for engines that give diffuse and specular light together.
+        /// Smooth surfaces are filtered no wider than they blur, and the light of each frame tells whether it moves as the surface does
+        /// or as its reflection. Needs `roughness`.
+        Mixed = 3 => "mixed",
     }
 
     /// Passes behind the denoised radiance.

@@ -183,14 +183,14 @@ inputs! {
     INSTANCE_TRANSFORMS = "instance_transforms": Guide Transforms, true, None, None;
     /// with `Config::object_normal`: lets a turning object keep its history
     OBJECT_NORMAL = "object_normal": Guide Vector, false, None, captured(&["object_normal"], XYZ);
-    /// 0 to 1, perceptual or GGX's α; without it all surfaces are rough. `Signals::Specular` reads it
+    /// 0 to 1, perceptual or GGX's α; without it surfaces are rough. `Signals::Specular` and `Mixed` read it
     ROUGHNESS = "roughness": Guide Scalar, true, Some(Counter::Roughness), common(&["roughness"], &["Y"]);
     /// radiance is divided by it and multiplied again, so textures stay sharp
     ALBEDO = "albedo": Composition Colour, true, Some(Counter::Albedo),
         common(&["albedo", "alb", "albedo0", "diffuse_albedo"], RGB);
     /// added after the filter
     EMISSION = "emission": Composition Colour, true, Some(Counter::Emission), captured(&["emission"], RGB);
-    /// all light in one signal, linear (`Signals::Together`)
+    /// all light in one signal, linear (`Signals::Together`, `Mixed`)
     NOISY_RADIANCE = "noisy_radiance": Signal Colour, false, Some(Counter::Radiance), captured(&["lighting"], RGB);
     /// direct light, linear (`Signals::Apart`)
     NOISY_DIRECT = "noisy_direct": Signal Colour, false, Some(Counter::Radiance), captured(&["direct"], RGB);

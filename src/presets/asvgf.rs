@@ -1,5 +1,6 @@
 //! Adaptive temporal filtering by temporal gradients \[ASVGF\].
 
+use super::past::{albedo, Past};
 use super::specular::{beside, compared, modulated, Specular};
 use super::{change_of_light, firefly_filter, gradient_samples, noisy, Denoised};
 use crate::config::Config;
@@ -17,25 +18,31 @@ pub fn asvgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let compared = compared(g, &noisy, config);
     let change = change_of_light(g, guides, &compared, gradients);
     let samples = gradients.and_then(|gradients| gradients.samples());
-    let demodulate = Demodulate { gradient: change.gradient, samples, sampling: config.sampling, ..Demodulate::default() };
+    let demodulate = Demodulate { albedo: albedo(config), gradient: change.gradient, samples, sampling: config.sampling };
     let irradiance = g.demodulate(guides, &noisy, demodulate);
     let (irradiance, usual) = firefly_filter(g, guides, irradiance, config, config.firefly_filter);
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
-    let history = g.history(&irradiance, Feedback::Accumulated);
+    let past = Past::new(g, config, &irradiance, Feedback::Accumulated);
+    let history = past.history;
     let accumulation = Accumulation { confidence: Some(change.confidence), ..Accumulation::default() };
-    let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
+    let (accumulated, mixed) = past.accumulated(g, guides, &irradiance, accumulation);
     // Light that changes makes many histories short: the fading estimate costs as much for them as for long ones.
     let variance = Variance { estimator: Estimator::OfMean, ..Variance::default() };
     let estimate = g.variance(guides, &accumulated, &history, variance);
-    let atrous =
-        Atrous { levels: config.levels(), kernel: Kernel::Box, luminance_weight: LuminanceWeight::OfMeans, ..Atrous::default() };
+    let atrous = Atrous {
+        levels: config.levels(),
+        kernel: Kernel::Box,
+        luminance_weight: LuminanceWeight::OfMeans,
+        reflection: mixed,
+        ..Atrous::default()
+    };
     let specular = Specular { samples, confidence: Some(change.confidence), ..Specular::default() };
     let specular = beside(g, guides, config, specular);
     let filtered = g.atrous(guides, &estimate, atrous);
     let (radiance, reflection) = modulated(g, guides, config, filtered.into(), specular);
     let intermediates = Intermediates {
         history: Some(history),
-        reflection,
+        reflection: reflection.or(mixed),
         deviation: true,
         confidence: Some(change.confidence),
         gradient: change.gradient,

@@ -1,5 +1,6 @@
 //! The default filter: every part that made pictures better, in one graph.
 
+use super::past::{albedo, Past};
 use super::specular::{beside, compared, modulated, Specular};
 use super::{firefly_filter, gradient_samples, noisy, Denoised};
 use crate::config::{Config, Signals};
@@ -68,18 +69,20 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
     let noisy = noisy(g, config.signals);
     let compared = compared(g, &noisy, config);
     let gradient = gradients.map(|source| {
-        let gradient = match best.light_ratio {
+        // No ratio scales what is mirrored.
+        let gradient = match best.light_ratio && config.signals != Signals::Mixed {
             true => g.gradient_and_ratio(guides, &compared, source),
             false => g.gradient(guides, &compared, source),
         };
         g.gradient_atrous(guides, &gradient)
     });
     let samples = gradients.and_then(|gradients| gradients.samples());
-    let demodulate = Demodulate { gradient, samples, sampling: config.sampling, ..Demodulate::default() };
+    let demodulate = Demodulate { albedo: albedo(config), gradient, samples, sampling: config.sampling };
     let irradiance = g.demodulate(guides, &noisy, demodulate);
     let (irradiance, usual) = firefly_filter(g, guides, irradiance, config, best.firefly_filter);
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
-    let history = g.history(&irradiance, best.feedback);
+    let past = Past::new(g, config, &irradiance, best.feedback);
+    let history = past.history;
     let Confidences { scaled: confidence, unscaled } = match &gradient {
         Some(gradient) => {
             let difference = best.change_test.then(|| g.block_difference(guides, &irradiance, &history));
@@ -89,7 +92,7 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
     };
     let light_ratio = gradient.and_then(|gradient| gradient.light_ratio());
     let accumulation = Accumulation { confidence: Some(confidence), sharp: best.sharp, light_ratio, ..Accumulation::default() };
-    let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
+    let (accumulated, mixed) = past.accumulated(g, guides, &irradiance, accumulation);
     let Best { variance, feedback, spatial, .. } = best;
     let estimate = g.variance(guides, &accumulated, &history, variance);
     let specular = Specular {
@@ -102,11 +105,15 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
         ..Specular::default()
     };
     let specular = beside(g, guides, config, specular);
-    let filtered = g.atrous(guides, &estimate, Atrous { feedback: (feedback == Feedback::Filtered).then_some(history), ..spatial });
+    let filtered = g.atrous(
+        guides,
+        &estimate,
+        Atrous { feedback: (feedback == Feedback::Filtered).then_some(history), reflection: mixed, ..spatial },
+    );
     let (radiance, reflection) = modulated(g, guides, config, filtered.into(), specular);
     let intermediates = Intermediates {
         history: Some(history),
-        reflection,
+        reflection: reflection.or(mixed),
         deviation: true,
         confidence: Some(confidence),
         gradient,

@@ -1,5 +1,6 @@
 //! Edge-avoiding à-trous wavelets [EAW]: one frame, no history.
 
+use super::past::albedo;
 use super::specular::{modulate, sum};
 use super::{firefly_filter, noisy, Denoised};
 use crate::config::{Config, Signals};
@@ -13,7 +14,7 @@ pub fn eaw(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let &Config { eaw_weights: weights, sampling, .. } = config;
     let levels = config.levels();
     let noisy = noisy(g, config.signals);
-    let irradiance = g.demodulate(guides, &noisy, Demodulate { sampling, ..Demodulate::default() });
+    let irradiance = g.demodulate(guides, &noisy, Demodulate { albedo: albedo(config), sampling, ..Demodulate::default() });
     let (irradiance, usual) = firefly_filter(g, guides, irradiance, config, config.firefly_filter);
     let filtered = g.eaw(guides, &irradiance, Eaw { levels, weights, sampling, ..Eaw::default() });
     let radiance = match config.signals {

@@ -1,5 +1,6 @@
 //! The cheapest filter that follows changing light.
 
+use super::past::{albedo, Past};
 use super::specular::{beside, modulated, Specular};
 use super::{firefly_filter, noisy, Denoised};
 use crate::config::Config;
@@ -23,21 +24,23 @@ fn fast_filter(config: &Config) -> Atrous {
 /// [`fast`] with a different spatial filter of all light but a separate specular signal.
 pub fn fast_with(g: &mut Graph, guides: &Guides, config: &Config, spatial: Atrous) -> Denoised {
     let noisy = noisy(g, config.signals);
-    let irradiance = g.demodulate(guides, &noisy, Demodulate { sampling: config.sampling, ..Demodulate::default() });
+    let irradiance =
+        g.demodulate(guides, &noisy, Demodulate { albedo: albedo(config), sampling: config.sampling, ..Demodulate::default() });
     let (irradiance, usual) = firefly_filter(g, guides, irradiance, config, config.firefly_filter);
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
-    let history = g.history(&irradiance, Feedback::Accumulated);
+    let past = Past::new(g, config, &irradiance, Feedback::Accumulated);
+    let history = past.history;
     let difference = g.block_difference(guides, &irradiance, &history);
     let confidence = g.change_test(&difference);
     let accumulation = Accumulation { confidence: Some(confidence), ..Accumulation::default() };
-    let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
+    let (accumulated, mixed) = past.accumulated(g, guides, &irradiance, accumulation);
     let estimate = g.variance(guides, &accumulated, &history, Variance { estimator: Estimator::OfMean, ..Variance::default() });
     let specular = beside(g, guides, config, Specular { difference: Some(difference), ..Specular::default() });
-    let filtered = g.atrous(guides, &estimate, spatial);
+    let filtered = g.atrous(guides, &estimate, Atrous { reflection: mixed, ..spatial });
     let (radiance, reflection) = modulated(g, guides, config, filtered.into(), specular);
     let intermediates = Intermediates {
         history: Some(history),
-        reflection,
+        reflection: reflection.or(mixed),
         deviation: true,
         confidence: Some(confidence),
         usual,

@@ -10,6 +10,7 @@ mod best;
 mod eaw;
 mod fast;
 mod gradients;
+mod past;
 mod percentile;
 mod specular;
 mod stabilize;
@@ -167,7 +168,7 @@ fn outputs(g: &mut Graph, denoised: &Denoised) {
 /// `noisy_diffuse`, beside which [`specular`] filters the rest.
 pub fn noisy(g: &mut Graph, signals: Signals) -> Radiance {
     match signals {
-        Signals::Together => g.radiance("noisy_radiance"),
+        Signals::Together | Signals::Mixed => g.radiance("noisy_radiance"),
         Signals::Specular => g.radiance("noisy_diffuse"),
         Signals::Apart => {
             let (direct, indirect) = (g.radiance("noisy_direct"), g.radiance("noisy_indirect"));

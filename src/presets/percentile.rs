@@ -1,5 +1,6 @@
 //! Percentile-based adaptive SVGF [PSVGF].
 
+use super::past::{albedo, Past};
 use super::specular::{beside, modulated, Specular};
 use super::{noisy, without_fireflies, Denoised};
 use crate::config::{AdaptiveRule, Config};
@@ -12,10 +13,12 @@ use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Intermediates, K
 /// It reads `signals`, `sampling`, `levels` and `adaptive_rule` of the configuration.
 pub fn percentile(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let noisy = noisy(g, config.signals);
-    let irradiance = g.demodulate(guides, &noisy, Demodulate { sampling: config.sampling, ..Demodulate::default() });
+    let irradiance =
+        g.demodulate(guides, &noisy, Demodulate { albedo: albedo(config), sampling: config.sampling, ..Demodulate::default() });
     let (irradiance, usual) = without_fireflies(g, guides, &irradiance, config);
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
-    let history = g.history(&irradiance, Feedback::Accumulated);
+    let past = Past::new(g, config, &irradiance, Feedback::Accumulated);
+    let history = past.history;
     let (confidence, difference) = match config.adaptive_rule {
         AdaptiveRule::Percentiles => (g.percentile_rule(guides, &usual.percentiles, &history), None),
         AdaptiveRule::ChangeTest => {
@@ -24,19 +27,24 @@ pub fn percentile(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
         }
     };
     let accumulation = Accumulation { confidence: Some(confidence), repair: true, ..Accumulation::default() };
-    let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
+    let (accumulated, mixed) = past.accumulated(g, guides, &irradiance, accumulation);
     let variance = Variance { estimator: Estimator::OfMean, ..Variance::default() };
     let estimate = g.variance(guides, &accumulated, &history, variance);
     // The 3x3 box costs 9 taps of 25 and pays for the statistics; on the flickering box it is no worse.
-    let atrous =
-        Atrous { levels: config.levels(), kernel: Kernel::Box, luminance_weight: LuminanceWeight::OfMeans, ..Atrous::default() };
+    let atrous = Atrous {
+        levels: config.levels(),
+        kernel: Kernel::Box,
+        luminance_weight: LuminanceWeight::OfMeans,
+        reflection: mixed,
+        ..Atrous::default()
+    };
     let specular = Specular { confidence: Some(confidence), difference, ..Specular::default() };
     let specular = beside(g, guides, config, specular);
     let filtered = g.atrous(guides, &estimate, atrous);
     let (radiance, reflection) = modulated(g, guides, config, filtered.into(), specular);
     let intermediates = Intermediates {
         history: Some(history),
-        reflection,
+        reflection: reflection.or(mixed),
         deviation: true,
         confidence: Some(confidence),
         usual: Some(usual),

@@ -122,7 +122,7 @@ pub(super) fn sum(g: &mut Graph, guides: &Guides, config: &Config, diffuse: &Irr
 
 /// Radiance of the whole picture, as the configuration has it.
 pub(super) fn modulate(config: &Config) -> Modulate {
-    Modulate { float_output: config.float_output, ..Modulate::default() }
+    Modulate { float_output: config.float_output, mixed: config.signals == Signals::Mixed, ..Modulate::default() }
 }
 
 /// The noisy radiance of the whole picture, of which gradients are made: diffuse and specular light as a pair.

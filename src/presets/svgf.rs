@@ -1,5 +1,6 @@
 //! Spatiotemporal variance-guided filtering \[SVGF\].
 
+use super::past::{albedo, Past};
 use super::specular::{beside, modulated, Specular};
 use super::{firefly_filter, noisy, Denoised};
 use crate::config::Config;
@@ -11,11 +12,13 @@ use crate::nodes::{Accumulation, Atrous, Demodulate, Intermediates, Kernel, Lumi
 /// It reads `signals`, `sampling`, `levels` and `firefly_filter` of the configuration.
 pub fn svgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let noisy = noisy(g, config.signals);
-    let irradiance = g.demodulate(guides, &noisy, Demodulate { sampling: config.sampling, ..Demodulate::default() });
+    let irradiance =
+        g.demodulate(guides, &noisy, Demodulate { albedo: albedo(config), sampling: config.sampling, ..Demodulate::default() });
     let (irradiance, usual) = firefly_filter(g, guides, irradiance, config, config.firefly_filter);
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
-    let history = g.history(&irradiance, Feedback::Filtered);
-    let accumulated = g.temporal_accumulation(guides, &irradiance, &history, Accumulation::default());
+    let past = Past::new(g, config, &irradiance, Feedback::Filtered);
+    let history = past.history;
+    let (accumulated, mixed) = past.accumulated(g, guides, &irradiance, Accumulation::default());
     let estimate = g.variance(guides, &accumulated, &history, Variance::default());
     let specular = Specular {
         feedback: Feedback::Filtered,
@@ -25,10 +28,20 @@ pub fn svgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
         ..Specular::default()
     };
     let specular = beside(g, guides, config, specular);
-    let filtered = g.atrous(guides, &estimate, Atrous { levels: config.levels(), feedback: Some(history), ..Atrous::default() });
+    let filtered = g.atrous(
+        guides,
+        &estimate,
+        Atrous { levels: config.levels(), feedback: Some(history), reflection: mixed, ..Atrous::default() },
+    );
     let (radiance, reflection) = modulated(g, guides, config, filtered.into(), specular);
     Denoised {
         radiance,
-        intermediates: Intermediates { history: Some(history), reflection, deviation: true, usual, ..Intermediates::new(&noisy) },
+        intermediates: Intermediates {
+            history: Some(history),
+            reflection: reflection.or(mixed),
+            deviation: true,
+            usual,
+            ..Intermediates::new(&noisy)
+        },
     }
 }

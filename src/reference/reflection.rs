@@ -75,6 +75,19 @@ pub(crate) fn lobe_radius(frame: &FrameConstants, linear_depth: f32, seen: SeenR
     (lobe_width(seen.roughness) * seen.hit_distance / pixel).min(FARTHEST_HIT)
 }
 
+/// Of a lobe that explains half of the light: its width, and its radius in pixels, both squared.
+const MIXED_WIDTH: f32 = 1e-3;
+const MIXED_RADIUS: f32 = 4.0;
+
+/// Roughness of diffuse and specular light together: the less of it the lobe explains, the wider the light may be blurred.
+pub(crate) fn mixed_roughness(frame: &FrameConstants, linear_depth: f32, seen: SeenReflection, explained: f32) -> f32 {
+    let width = lobe_width(seen.roughness);
+    let pixels = lobe_radius(frame, linear_depth, SeenReflection { roughness: 1.0, ..seen });
+    let share = explained.max(1e-3);
+    let rest = MIXED_WIDTH + MIXED_RADIUS / (pixels * pixels).max(1e-6);
+    (width * width / share + (1.0 / share - 1.0) * rest).min(1.0).powf(0.25)
+}
+
 /// Distance behind a mirror of the image of what it reflects: 1/d' = 1/d + 2κ. Convex surfaces pull it near.
 pub(crate) fn mirror_image_distance(hit_distance: f32, curvature: f32) -> f32 {
     hit_distance / (1.0 + 2.0 * curvature * hit_distance).max(0.1)

@@ -122,7 +122,12 @@ fn surfaces(g: &mut Graph, dice: &mut Dice, guides: &Guides, output: &str) -> Br
     let filter = Filter { guides, history, feedback, other: &format!("{output}_by_the_other_kernel"), albedo };
     let (filtered, deviation) = filter.add(g, dice, &accumulated);
     let (filtered, specular) = beside_specular(g, dice, guides, filtered, change.confidence);
-    let radiance = g.modulate(guides, &filtered, Modulate { albedo, specular, emission: dice.coin(), float_output: dice.coin() });
+    // Never mixed: the light that comes is not divided by the coat.
+    let radiance = g.modulate(
+        guides,
+        &filtered,
+        Modulate { albedo, mixed: false, specular, emission: dice.coin(), float_output: dice.coin() },
+    );
     g.output(output, &radiance);
     if let Some(confidence) = change.confidence.filter(|_| dice.coin()) {
         g.output(&format!("{output}_confidence"), &confidence);

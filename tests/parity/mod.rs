@@ -29,6 +29,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("two_signals", || sequence(&Config { signals: Signals::Apart, ..svgf([61, 35]) })),
     ("specular", || sequence(&Config { signals: Signals::Specular, ..svgf([61, 35]) })),
     ("specular_in_a_larger_image", || sequence_of(&Config { signals: Signals::Specular, ..percentile([64, 40]) }, [37, 21])),
+    ("mixed_signal", specular::mixed_signal),
     ("specular_fast", || sequence(&Config { preset: Preset::Fast, signals: Signals::Specular, ..Config::new([40, 23]) })),
     ("specular_eaw", || sequence(&Config { preset: Preset::Eaw, signals: Signals::Specular, ..Config::new([40, 23]) })),
     ("specular_by_f0", specular::by_f0),

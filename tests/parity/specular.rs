@@ -44,6 +44,25 @@ pub fn unknown_distances() {
     assert_valid();
 }
 
+/// Diffuse and specular light in one signal, at first without hit distances, and once without the albedo of the coat.
+pub fn mixed_signal() {
+    let extent = [32, 20];
+    let config = Config { signals: Signals::Mixed, preset: Preset::Best, levels: Some(2), ..Config::new(extent) };
+    let scene = Scene { speed: 0.12, ..Scene::new(extent) };
+    let mut s = session_with(&config, SessionOptions { poison: true, keep_transients: true, ..Default::default() });
+    for i in 0..4 {
+        upload(&mut s, &scene.frame(i, i));
+        if i < 2 {
+            s.unbind("specular_hit_distance").expect("optional");
+        }
+        if i == 1 {
+            s.unbind("specular_albedo").expect("optional");
+        }
+        run(&mut s, &scene.params(i), &Tuning::for_preset(config.preset));
+    }
+    assert_valid();
+}
+
 pub fn other_resolutions() {
     let config = Config { signals: Signals::Specular, ..svgf([48, 32]) };
     let mut s = session_with(&config, SessionOptions { poison: true, keep_transients: true, ..Default::default() });

@@ -235,6 +235,7 @@ typedef enum AtrousSignals {
   ATROUS_SIGNALS_TOGETHER = 0,
   ATROUS_SIGNALS_APART = 1,
   ATROUS_SIGNALS_SPECULAR = 2,
+  ATROUS_SIGNALS_MIXED = 3,
 } AtrousSignals;
 
 typedef enum AtrousAdaptiveRule {
@@ -427,7 +428,7 @@ typedef enum AtrousCounter {
 // specular_history(irradiance, [feedback])
 #define ATROUS_NODE_SPECULAR_HISTORY "specular_history"
 
-// specular_accumulation(guides, irradiance, history, [confidence, alpha, alpha_moments, sharp])
+// specular_accumulation(guides, irradiance, history, [confidence, alpha, alpha_moments, sharp, mixed])
 #define ATROUS_NODE_SPECULAR_ACCUMULATION "specular_accumulation"
 
 // variance(guides, accumulated, history, [estimator, spatial_variance_frames])
@@ -439,7 +440,7 @@ typedef enum AtrousCounter {
 // eaw(guides, irradiance, [levels, weights, sampling, feedback])
 #define ATROUS_NODE_EAW "eaw"
 
-// modulate(guides, filtered, [albedo, specular, emission, float_output])
+// modulate(guides, filtered, [albedo, mixed, specular, emission, float_output])
 #define ATROUS_NODE_MODULATE "modulate"
 
 // tone_map(denoised)
@@ -605,7 +606,7 @@ typedef struct AtrousConfig {
   // Filter. 0 (svgf), 1 (asvgf), 2 (stabilize), 3 (percentile), 4 (eaw), 5 (volume), 6 (fast), 7 (best). Default: 7.
   uint32_t preset;
   // Signals. Together: one image, `noisy_radiance`. Apart: `noisy_direct` and `noisy_indirect`. Specular: `noisy_diffuse`
-  // and `noisy_specular`. 0 (together), 1 (apart), 2 (specular). Default: 0.
+  // and `noisy_specular`. 0 (together), 1 (apart), 2 (specular), 3 (mixed). Default: 0.
   uint32_t signals;
   // À-trous levels, 1 to 10; none: those of the preset, `Preset::levels`. 0 is none. Default: 0.
   uint32_t levels;

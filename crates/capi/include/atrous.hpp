@@ -89,6 +89,7 @@ enum class Signals : uint32_t {
     Together = ATROUS_SIGNALS_TOGETHER,
     Apart = ATROUS_SIGNALS_APART,
     Specular = ATROUS_SIGNALS_SPECULAR,
+    Mixed = ATROUS_SIGNALS_MIXED,
 };
 inline void set(AtrousConfig& config, Signals value) { config.signals = static_cast<uint32_t>(value); }
 

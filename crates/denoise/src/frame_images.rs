@@ -151,12 +151,16 @@ impl Channels<'_> {
 
     pub fn guides(&mut self, camera: Option<&Camera>, images: &mut BTreeMap<&'static str, Texels>) {
         let pixels = self.setup.pixels();
-        let is_specular = self.setup.config.signals == Signals::Specular;
-        images.extend(self.albedo(is_specular).map(|a| ("albedo", a)));
+        let signals = self.setup.config.signals;
+        let is_mixed = signals == Signals::Mixed;
+        let has_coat = signals == Signals::Specular || (is_mixed && self.setup.mapping.has(Role::SpecularAlbedo));
+        images.extend(self.albedo(has_coat).map(|a| ("albedo", a)));
         // In every channel, since the conventions may be those of a host's image.
         images.extend(self.scalars(Role::Roughness).map(|r| ("roughness", r.into_iter().map(|r| [r; 4]).collect())));
-        if is_specular {
+        if has_coat {
             images.extend(self.vectors(Role::SpecularAlbedo).map(|a| ("specular_albedo", a)));
+        }
+        if has_coat || is_mixed {
             images.extend(self.vectors(Role::HitDistance).map(|d| ("specular_hit_distance", d)));
             images.extend(self.vectors(Role::HitMotion).map(|m| (Input::SPECULAR_MOTION.name, m)));
         }

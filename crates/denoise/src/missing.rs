@@ -15,6 +15,7 @@ pub fn describe(mapping: &Mapping, config: &Config) -> Vec<String> {
     let signals = match config.signals {
         Signals::Apart => "direct and indirect apart",
         Signals::Specular => "diffuse and specular apart",
+        Signals::Mixed => "together, as one signal with roughness",
         _ => "together, as one signal",
     };
     lines.push(format!("  {:<16} {signals}, by {}", "filtered", config.preset.title()));

@@ -334,6 +334,9 @@ fn signals(mapping: &Mapping, preset: Preset, asked: Option<Signals>) -> Result<
         (Some(Signals::Specular), _) if !mapping.has_specular() => Err(ToolError::Usage(
             "--signals specular needs specular light in a layer of its own; name it with --channel specular=LAYER".into(),
         )),
+        (Some(Signals::Mixed), _) if !mapping.has(Role::Roughness) => Err(ToolError::Usage(
+            "--signals mixed needs the roughness of surfaces; name its layer with --channel roughness=LAYER".into(),
+        )),
         (None, _) if mapping.has_specular() => Ok(Signals::Specular),
         (Some(Signals::Apart), false) => Err(ToolError::Usage(
             "--signals apart needs direct and indirect light in separate layers; name them with --channel direct=LAYER and --channel indirect=LAYER".into(),

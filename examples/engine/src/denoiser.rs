@@ -379,20 +379,20 @@ fn inputs<'a>(tracer: &'a PathTracer, options: &DenoiserOptions) -> Vec<(&'stati
     if options.config.preset != Preset::Stabilize {
         inputs.push(("emission", &outputs.emission));
     }
-    let albedo = if options.config.signals == Signals::Specular { &outputs.diffuse_albedo } else { &outputs.albedo };
+    let knows_coat = matches!(options.config.signals, Signals::Specular | Signals::Mixed);
+    let albedo = if knows_coat { &outputs.diffuse_albedo } else { &outputs.albedo };
     inputs.push(("albedo", albedo));
     match options.config.signals {
         Signals::Apart => inputs.extend([("noisy_direct", &outputs.direct), ("noisy_indirect", &outputs.indirect)]),
-        Signals::Specular => inputs.extend([
-            ("noisy_diffuse", &outputs.diffuse),
-            ("noisy_specular", &outputs.specular),
+        Signals::Specular => inputs.extend([("noisy_diffuse", &outputs.diffuse), ("noisy_specular", &outputs.specular)]),
+        _ => inputs.push(("noisy_radiance", &outputs.scattered)),
+    }
+    if knows_coat {
+        inputs.extend([
             ("specular_albedo", &outputs.specular_albedo),
             ("specular_hit_distance", &outputs.hit_distance),
             ("roughness", &outputs.roughness),
-        ]),
-        _ => inputs.push(("noisy_radiance", &outputs.scattered)),
-    }
-    if options.config.signals == Signals::Specular {
+        ]);
         match options.reflections {
             Reflections::AtRest => {}
             Reflections::Ids => inputs.push(("specular_hit_id", &outputs.hit_id)),

@@ -25,6 +25,9 @@ choices! {
         /// may give `specular_f0`, the reflectance at normal incidence, from which it is computed \[Karis 2014\]. The optional input
         /// `specular_hit_distance` says how far away is what is seen in the surface.
         Specular = 2 => "specular",
+        /// Of light that is diffuse and specular together: the sum of the optional inputs `albedo` and `specular_albedo`. Without the
+        /// latter `albedo` is that of both. `specular_hit_distance` as of [`Self::Specular`].
+        Mixed = 3 => "mixed",
     }
 }
 
@@ -53,22 +56,32 @@ const HOLE_SIGMA_Z: f32 = 1.0;
 pub(super) struct Divisor {
     albedo: Option<Image>,
     specular_f0: Option<Image>,
+    /// Added to `albedo`.
+    coat: Option<Image>,
 }
 
 impl Divisor {
     fn new(graph: &mut Graph, albedo: Albedo) -> Self {
         match albedo {
-            Albedo::None => Self { albedo: None, specular_f0: None },
-            Albedo::Diffuse => Self { albedo: graph.dividing_albedo(), specular_f0: None },
+            Albedo::None => Self { albedo: None, specular_f0: None, coat: None },
+            Albedo::Diffuse => Self { albedo: graph.dividing_albedo(), specular_f0: None, coat: None },
+            Albedo::Mixed => {
+                let albedo = graph.dividing_albedo();
+                Self { albedo, specular_f0: None, coat: albedo.map(|_| graph.input(Input::SPECULAR_ALBEDO)) }
+            }
             Albedo::Specular => {
                 let mut input = |input| Some(graph.input(input));
-                Self { albedo: input(Input::SPECULAR_ALBEDO), specular_f0: input(Input::SPECULAR_F0) }
+                Self { albedo: input(Input::SPECULAR_ALBEDO), specular_f0: input(Input::SPECULAR_F0), coat: None }
             }
         }
     }
 
     pub(super) fn bind(self, pass: Pass) -> Pass {
-        pass.bind_some("albedo", self.albedo).bind_some("specular_f0", self.specular_f0)
+        let pass = pass.bind_some("albedo", self.albedo).bind_some("specular_f0", self.specular_f0);
+        match self.coat {
+            Some(coat) => pass.bind("specular_albedo", coat),
+            None => pass,
+        }
     }
 }
 
@@ -101,7 +114,7 @@ impl Graph {
             .each("irradiance", irradiance.images());
         let divisor = Divisor::new(self, demodulate.albedo);
         pass = divisor.bind(pass);
-        if demodulate.albedo == Albedo::Specular {
+        if matches!(demodulate.albedo, Albedo::Specular | Albedo::Mixed) {
             pass = pass.bind("specular_hit_distance", self.input(Input::SPECULAR_HIT_DISTANCE));
         }
         if let Some(kept) = kept {

@@ -15,6 +15,8 @@ pub struct Modulate {
     /// Whether your optional input `albedo` multiplies the irradiance, as for the node
     /// `demodulate`. Default: true.
     pub albedo: bool,
+    /// Whether `specular_albedo` is added to `albedo`, as of [`crate::nodes::Albedo::Mixed`]. Default: false.
+    pub mixed: bool,
     /// Whether the second signal is specular light, with the optional inputs `specular_albedo` or
     /// `specular_f0` instead of `albedo`: see [`crate::nodes::Albedo::Specular`]. Default: false.
     pub specular: bool,
@@ -26,7 +28,7 @@ pub struct Modulate {
 
 impl Default for Modulate {
     fn default() -> Self {
-        Self { albedo: true, specular: false, emission: true, float_output: false }
+        Self { albedo: true, mixed: false, specular: false, emission: true, float_output: false }
     }
 }
 
@@ -56,6 +58,9 @@ impl Graph {
         };
         if modulate.albedo {
             pass = pass.bind("albedo", self.input(Input::ALBEDO));
+        }
+        if modulate.mixed && !modulate.specular {
+            pass = pass.bind("specular_albedo", self.input(Input::SPECULAR_ALBEDO));
         }
         if modulate.specular {
             pass = pass

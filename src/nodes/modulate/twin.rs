@@ -1,6 +1,6 @@
 //! The stage `modulate`: irradiance multiplied by albedo again, signals summed, emission added \[SVGF 3\].
 
-use crate::nodes::demodulate::twin::{albedo_at, divisor, reflectance};
+use crate::nodes::demodulate::twin::{albedo_at, divisor, reflectance, with_coat};
 use crate::nodes::upsample::twin::{upsample, UpsampleInputs};
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::{Condition, Rule};
@@ -94,12 +94,13 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         upsample(b.frame, &UpsampleInputs { rendered_guide, guide, is_volume: false, filtered: &filtered }, |irradiance| irradiance)
     });
     let irradiance = upsampled.as_ref().map_or(filtered, |upsampled| upsampled.iter().collect());
+    let (base, coat) = (b.optional_colour("albedo")?, b.optional_colour("specular_albedo")?);
+    let both = with_coat(base, coat.filter(|_| !specular));
     let inputs = ModulateInputs {
         guide: rendered.unwrap_or(guide),
         irradiance: &irradiance,
-        albedo: b.optional_colour("albedo")?,
-        specular: specular
-            .then_some(SpecularAlbedos { albedo: b.optional_colour("specular_albedo")?, f0: b.optional_colour("specular_f0")? }),
+        albedo: both.as_ref().or(base),
+        specular: specular.then_some(SpecularAlbedos { albedo: coat, f0: b.optional_colour("specular_f0")? }),
         emission: b.optional_colour("emission")?,
         outgoing: Outgoing::of(b)?,
     };

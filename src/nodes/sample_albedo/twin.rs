@@ -1,6 +1,6 @@
 //! The stage `sample_albedo`: light of gradient samples over the albedo of the points that it comes from.
 
-use crate::nodes::demodulate::twin::{albedo_at, divisor};
+use crate::nodes::demodulate::twin::{albedo_at, divisor, with_coat};
 use crate::reference::binary16::store;
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::Rule;
@@ -77,13 +77,15 @@ pub(crate) const RULES: &[Rule] = &[pixels("irradiance_0", HALF), pixels("irradi
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let base = b.optional_colour("albedo")?;
+    let both = with_coat(base, b.optional_colour("specular_albedo")?);
     let inputs = SampleAlbedoInputs {
         guide: b.packed("guide")?,
         gradient_samples: b.packed("gradient_samples")?,
         candidates: b.packed("candidates")?,
         previous_candidate_albedo: b.optional_colour("previous_candidate_albedo")?,
         irradiance: &b.colours("irradiance")?,
-        albedo: b.optional_colour("albedo")?,
+        albedo: both.as_ref().or(base),
         specular_f0: b.optional_colour("specular_f0")?,
     };
     let outputs = sample_albedo(b.frame, b.stratum_size()?, &inputs);

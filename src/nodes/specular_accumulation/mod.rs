@@ -24,6 +24,10 @@ pub struct SpecularAccumulation {
     /// where the lobe covers less than about 4 pixels: motion does not blur reflections then.
     /// Default: false.
     pub sharp: bool,
+    /// Whether the irradiance is diffuse and specular light together: [`crate::config::Signals::Mixed`]. The optional inputs `albedo`
+    /// and `specular_albedo` tell how much of it a lobe explains.
+    /// Default: false.
+    pub mixed: bool,
 }
 
 /// History of specular light, with the image that its accumulation writes.
@@ -74,6 +78,7 @@ impl Graph {
         let pass = pass(&node, &shaders::SPECULAR_ACCUMULATION)
             .constant("FILTERED", u32::from(*feedback == Feedback::Filtered))
             .constant("SHARP", u32::from(parameters.sharp))
+            .constant("MIXED", u32::from(parameters.mixed))
             .value("alpha", parameters.alpha)
             .value("alpha_moments", parameters.alpha_moments)
             .bind("guide", guides.guide)
@@ -93,6 +98,10 @@ impl Graph {
             .bind("accumulated", accumulated.image())
             .bind("new_luminance", history.new_luminance()[0])
             .bind("reflection", reflection);
+        let pass = match parameters.mixed {
+            true => pass.bind("albedo", self.input(Input::ALBEDO)).bind("specular_albedo", self.input(Input::SPECULAR_ALBEDO)),
+            false => pass,
+        };
         self.add(pass);
         AccumulatedSpecular {
             accumulated: self.renewed(accumulated).with_holes_of(irradiance),

@@ -1,14 +1,17 @@
 //! The stage `specular_accumulation`: specular irradiance blended with what was seen in the surface before.
 
+use crate::nodes::demodulate::twin::reflectance;
 use crate::nodes::temporal_accumulation::twin::{blend, fresh, AlphaBounds, Reprojected};
 use crate::reference::binary16::LARGEST_HALF;
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
 use crate::reference::conventions::{is_reset, roughness_channel};
 use crate::reference::guide::{unpack_guide, Surface};
-use crate::reference::luminance::texel_luminance;
+use crate::reference::luminance::{luminance, texel_luminance};
 use crate::reference::luminance_history::{pack_luminance_history, split_luminance_history, LuminanceHistory, Reason};
-use crate::reference::reflection::{hit_distance_of, lobe_radius, nearness, pack_reflection, roughness_of, SeenReflection};
+use crate::reference::reflection::{
+    hit_distance_of, lobe_radius, mixed_roughness, nearness, pack_reflection, roughness_of, SeenReflection,
+};
 use crate::reference::rules::{pixels, rule, STATISTICS};
 use crate::reference::scenery::Instances;
 use crate::reference::statistics::count;
@@ -27,6 +30,9 @@ use past::BestPast;
 /// The smallest weight of the new sample where the past is sure, as a share of that elsewhere: a mirror is accumulated and not filtered,
 /// so that all noise of what it shows is left to its history.
 const STEADY_ALPHA: f32 = 0.4;
+
+/// Of light that is mixed, the share that a lobe explains where nobody says how much base and coat reflect.
+const UNKNOWN_SHARE: f32 = 0.5;
 
 /// Images that the previous frame left.
 #[derive(Clone, Copy, Debug)]
@@ -56,6 +62,10 @@ pub(crate) struct SpecularAccumulationInputs<'a> {
     pub is_filtered: bool,
     /// Whether history that lies between pixels is looked up by a cubic.
     pub is_sharp: bool,
+    /// Whether the irradiance is diffuse and specular light together.
+    pub is_mixed: bool,
+    /// Of mixed light: rgb, the reflectance of base and coat.
+    pub reflectances: Option<[&'a Image<[f32; 4]>; 2]>,
     /// x: roughness of the host.
     pub roughness: Option<&'a Image<[f32; 4]>>,
     /// By which instances mirrors and the things in them move.
@@ -146,10 +156,14 @@ impl Scene<'_> {
         }
         let c = self.centre(p, surface);
         let mut seen = SeenReflection { hit_distance: self.hit_distance_now(&c, own_distance.max(0.0), roughness), roughness };
+        let explained = if self.inputs.is_mixed { self.explained_share(p) } else { 1.0 };
+        if self.inputs.is_mixed {
+            seen.roughness = mixed_roughness(self.frame, surface.linear_depth, seen, explained);
+        }
         if is_reset(self.frame) {
             return with(fresh(noisy, Reason::Reset), seen, None);
         }
-        let best = self.best_past(&c, &mut seen);
+        let best = self.best_past(&c, &mut seen, explained);
         let (texel, luminance_history) = best.as_ref().map_or(fresh(noisy, Reason::Depth), |best| self.blend(p, noisy, best));
         let instances = &self.inputs.instances;
         let is_bad = [
@@ -157,6 +171,17 @@ impl Scene<'_> {
             instances.has_bad_motion(&c.mirror, seen.hit_distance),
         ];
         (texel, luminance_history, seen, best.map(|best| best.image_share), is_bad)
+    }
+
+    /// Of mixed light: the share of the coat in all that is reflected.
+    fn explained_share(&self, p: IVec2) -> f32 {
+        let Some(images) = self.inputs.reflectances else { return UNKNOWN_SHARE };
+        let [base, coat] = images.map(|image| luminance(reflectance(image.at(self.frame.guide_pixel(p)))));
+        if base + coat > 0.0 {
+            coat / (base + coat)
+        } else {
+            UNKNOWN_SHARE
+        }
     }
 
     fn centre(&self, p: IVec2, surface: Surface) -> Centre {
@@ -228,6 +253,8 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         noisy: b.colour("noisy")?,
         is_filtered: b.is_on("FILTERED")?,
         is_sharp: b.is_on("SHARP")?,
+        is_mixed: b.is_on("MIXED")?,
+        reflectances: b.optional_colour("albedo")?.zip(b.optional_colour("specular_albedo")?).map(Into::into),
         roughness: b.optional_colour("roughness")?,
         history_confidence: b.optional_scalar("history_confidence")?,
         instances: Instances {

@@ -104,7 +104,7 @@ nodes! {
         };
         specular_history(port irradiance) [choice feedback];
         specular_accumulation(port guides, port irradiance, port history) SpecularAccumulation {
-            optional confidence, value alpha, value alpha_moments, flag sharp
+            optional confidence, value alpha, value alpha_moments, flag sharp, flag mixed
         };
         variance(port guides, port accumulated, port history) Variance { choice estimator, value spatial_variance_frames };
         atrous(port guides, port estimate) Atrous {
@@ -112,7 +112,7 @@ nodes! {
             value sigma_l, value sigma_n, value sigma_z
         };
         eaw(port guides, port irradiance) Eaw { number levels, weights weights, choice sampling, optional feedback };
-        modulate(port guides, port filtered) Modulate { flag albedo, flag specular, flag emission, flag float_output };
+        modulate(port guides, port filtered) Modulate { flag albedo, flag mixed, flag specular, flag emission, flag float_output };
         tone_map(port denoised);
         temporal_upscale(port guides, port radiance) TemporalUpscale { flag tone_mapped };
         volume();

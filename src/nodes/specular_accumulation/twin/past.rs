@@ -19,6 +19,8 @@ const STILL: f32 = 0.01;
 /// Radians: seen from a side that turns by as much from frame to frame, what a lobe gathers does not stand still.
 const TURNED: f32 = 1e-3;
 
+/// Pixels that a past may be off in each frame where no lobe blurs it.
+const SHARPEST: f32 = 0.5;
 /// Pixels that a past may be off: a lobe of four and more blurs what it shows by more than bilinear taps do.
 const BLURRED_ANYWAY: f32 = 2.5;
 
@@ -56,6 +58,9 @@ const BEYOND_CHANCE: f32 = 2.0;
 
 /// Depths to a thing whose hit distance nobody knows: what is far away, or in a curved mirror, is seen next to where this is.
 const UNKNOWN_REACH: f32 = 1e4;
+
+/// The same of the nearest thing that a surface may show.
+const NEAREST_REACH: f32 = 0.125;
 
 /// Mean of what the tested taps hold.
 #[derive(Clone, Copy, Default)]
@@ -170,8 +175,9 @@ fn aside(logs: &[(IVec2, [f32; 2])], noise: f32) -> f32 {
 }
 
 impl Scene<'_> {
-    /// The better of two pasts, or a blend of both. `seen` is of this frame, then with its past.
-    pub(super) fn best_past(&self, c: &Centre, seen: &mut SeenReflection) -> Option<BestPast> {
+    /// The better of two pasts, or a blend of both. `seen` is of this frame, then with its past. `explained`: share of the light that
+    /// its lobe explains.
+    pub(super) fn best_past(&self, c: &Centre, seen: &mut SeenReflection, explained: f32) -> Option<BestPast> {
         let depth = c.mirror.surface.linear_depth;
         let is_known = seen.hit_distance > 0.0;
         let mut surface = self.past_at(c, c.mirror.surface_position);
@@ -182,14 +188,15 @@ impl Scene<'_> {
             seen.hit_distance = hit_distance_of(depth, now + share * (past.nearness - now));
         }
         // What nobody knows is tried as a mirror, and the light of now tells.
-        let tried = match (is_known, self.inputs.roughness) {
+        let is_mixed = self.inputs.is_mixed;
+        let tried = match (is_known, is_mixed || self.inputs.roughness.is_some()) {
             (true, _) => *seen,
-            (false, Some(_)) => SeenReflection { hit_distance: UNKNOWN_REACH * depth, ..*seen },
-            (false, None) => SeenReflection { hit_distance: UNKNOWN_REACH * depth, roughness: 0.0 },
+            (false, true) => SeenReflection { hit_distance: UNKNOWN_REACH * depth, ..*seen },
+            (false, false) => SeenReflection { hit_distance: UNKNOWN_REACH * depth, roughness: 0.0 },
         };
         let (curvature, share) = (self.motion.curvature(&c.mirror), mirror_share(tried.roughness));
         let curved = SeenReflection { hit_distance: mirror_image_distance(tried.hit_distance, curvature.mean), ..tried };
-        let tolerance = 0.5 + 0.5 * lobe_radius(self.frame, depth, curved);
+        let tolerance = SHARPEST + 0.5 * lobe_radius(self.frame, depth, curved);
         let mut before = self.inputs.instances.scenery_before(self.frame, &c.mirror, &curvature, *seen);
         if !is_known {
             before.image = image_at_rest(tried.hit_distance);
@@ -198,31 +205,47 @@ impl Scene<'_> {
         let position_of = |image| self.motion.image_position(&c.mirror, &curvature, &before.mirror, image, tried.roughness);
         let position = position_of(before.image);
         let moved = position.map_or(0.0, |position| position.distance(c.mirror.surface_position));
-        let steadiness = position.filter(|_| is_known).map_or(0.0, |position| share * self.steadiness(c, radius, position));
+        let by_light = !is_mixed && !is_known;
+        // The part of the light that moves as an image does.
+        let mirrored = if is_mixed { explained * share } else { 1.0 };
+        let steadiness =
+            position.filter(|_| !is_mixed && !by_light).map_or(0.0, |position| share * self.steadiness(c, radius, position));
         let mut kept = 0.0;
-        if let Some(past) = surface.as_mut().filter(|_| !is_known) {
+        if let Some(past) = surface.as_mut().filter(|_| by_light) {
             let frames = self.frames_by_light(c, c.mirror.surface_position, past, AGREES_WIDEST, true);
             kept = frames / past.frames.max(1e-6);
             past.frames = frames;
         }
-        let image = position.filter(|position| match is_known {
-            true => self.is_in_lobe(*position, before.thing, tried.roughness),
+        let image = position
+            .filter(|position| !is_known || self.is_in_lobe(*position, before.thing, tried.roughness))
+            // Of mixed light a lookup at the same place would blur the sharp one beside it.
+            .filter(|_| (!is_mixed && is_known) || moved > STILL)
             // Where light agrees with the past of the surface, nothing speaks for an image.
-            false => moved > STILL && kept < 1.0,
-        });
+            .filter(|_| !by_light || kept < 1.0);
         let mut image = image.and_then(|position| self.past_at(c, position));
-        if !is_known {
+        if by_light {
             if let (Some(past), Some(position)) = (&mut image, position) {
                 past.frames = (1.0 - kept) * self.frames_by_light(c, position, past, AGREES_WIDEST, true);
             }
         } else {
+            // The thing may be anywhere from there on.
+            let near = position.filter(|_| !is_known).and_then(|_| position_of(image_at_rest(NEAREST_REACH * depth))).or(position);
+            let from_near = |to: Vec2| near.map_or(0.0, |near| near.distance(to));
+            // Of mixed light, each past is off for the part of the other, and no lobe blurs what is diffuse.
             if let Some(past) = &mut surface {
-                past.frames = worth(past.frames, moved, tolerance);
+                past.frames = worth(past.frames, mirrored * moved.min(from_near(c.mirror.surface_position)), tolerance);
             }
+            if let (Some(past), Some(position), true) = (&mut image, position, is_mixed) {
+                let off = (1.0 - mirrored) * moved / SHARPEST + mirrored * from_near(position) / tolerance;
+                past.frames = worth(past.frames, off, 1.0);
+            }
+        }
+        if is_known {
             if let (Some(past), Some(position)) = (&mut image, position) {
                 let remembered = position_of(before.image.with_z(hit_distance_of(depth, past.nearness))).unwrap_or(position);
                 past.frames = worth(past.frames, position.distance(remembered), tolerance);
-                let mut change = (tried.roughness - past.roughness).abs() * 8.0;
+                // Of light that is mixed the roughness goes with the hit distance.
+                let mut change = if is_mixed { 0.0 } else { (tried.roughness - past.roughness).abs() * 8.0 };
                 // Of a thing that was followed, lobes and outlines change the distance.
                 if !before.followed {
                     let distance = (nearness(depth, before.image.z) - past.nearness).abs();
@@ -232,7 +255,7 @@ impl Scene<'_> {
             }
         }
         let image_share = image_share(surface, image);
-        if self.inputs.is_sharp && tolerance < BLURRED_ANYWAY {
+        if self.inputs.is_sharp && (is_mixed || tolerance < BLURRED_ANYWAY) {
             // The image where both count the same.
             let counts_more = match image_share > 0.49 {
                 true => (&mut image, position),
@@ -246,10 +269,11 @@ impl Scene<'_> {
             (Some(surface), Some(image)) => surface.blend(&image, image_share),
             (surface, image) => surface.or(image)?,
         };
-        if is_known {
+        if !by_light && (!is_mixed || share > 0.0) {
             let chosen = if image_share > 0.49 { position } else { None };
             let agrees = if share > 0.0 { AGREES } else { AGREES_WIDEST };
-            past.frames = self.frames_by_light(c, chosen.unwrap_or(c.mirror.surface_position), &past, agrees, false);
+            let agreeing = self.frames_by_light(c, chosen.unwrap_or(c.mirror.surface_position), &past, agrees, false);
+            past.frames += mirrored * (agreeing - past.frames);
         }
         Some(BestPast { past, origin: c.origin, image_share, steadiness })
     }

@@ -31,6 +31,8 @@ struct Wall {
     transforms: Vec<InstanceTransform>,
     is_filtered: bool,
     is_sharp: bool,
+    /// Of base and coat: the light is mixed.
+    reflectances: Option<[Image<[f32; 4]>; 2]>,
 }
 
 impl Wall {
@@ -54,6 +56,7 @@ impl Wall {
             transforms: Vec::new(),
             is_filtered: false,
             is_sharp: false,
+            reflectances: None,
         }
     }
 
@@ -65,6 +68,8 @@ impl Wall {
             noisy: &self.noisy,
             is_filtered: self.is_filtered,
             is_sharp: self.is_sharp,
+            is_mixed: self.reflectances.is_some(),
+            reflectances: self.reflectances.as_ref().map(|images| images.each_ref()),
             roughness: self.roughness.as_ref(),
             history_confidence: None,
             instances: Instances {
@@ -95,6 +100,16 @@ impl Wall {
 /// History alone, for as long as it is worth.
 fn tuning() -> Tuning {
     Tuning { alpha: 0.0, alpha_moments: 0.0, max_history_length: 1024.0, ..svgf_tuning() }
+}
+
+#[test]
+fn mixed_light_moves_with_the_part_that_reflects_more() {
+    let [surface, image] = [WALL, WALL + 4.0].map(|depth| STEP * FOCAL / depth);
+    for (name, base, coat, expected) in [("metal", 0.0, 1.0, image), ("plastic", 1.0, 0.04, surface)] {
+        let reflectances = Some([base, coat].map(|reflectance| Image::new(EXTENT, [reflectance; 4])));
+        let shift = Wall { reflectances, ..Wall::new(STEP, 4.0, 0.0) }.shift();
+        assert!((shift - expected).abs() < 0.05, "{name}: {shift} for {expected}");
+    }
 }
 
 #[test]
