@@ -183,6 +183,8 @@ inputs! {
     INSTANCE_TRANSFORMS = "instance_transforms": Guide Transforms, true, None, None;
     /// with `Config::object_normal`: lets a turning object keep its history
     OBJECT_NORMAL = "object_normal": Guide Vector, false, None, captured(&["object_normal"], XYZ);
+    /// with `Config::material_class`: 0 to 15, an entry of `FrameParams::materials`
+    MATERIAL_CLASS = "material_class": Guide Id, false, Some(Counter::MaterialClass), captured(&["material_class"], I);
     /// 0 to 1, perceptual or GGX's α; without it all surfaces are rough. `Signals::Specular` reads it
     ROUGHNESS = "roughness": Guide Scalar, true, Some(Counter::Roughness), common(&["roughness"], &["Y"]);
     /// radiance is divided by it and multiplied again, so textures stay sharp

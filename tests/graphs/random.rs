@@ -19,8 +19,13 @@ pub fn declare(seed: u32, extent: [u32; 2]) -> Declaration {
 pub fn declare_with(seed: u32, extent: [u32; 2], conventions: Conventions) -> Declaration {
     let mut dice = Dice::new(seed);
     let mut g = Graph::new(extent).frames_in_flight(1 + dice.below(3)).conventions(conventions);
-    // `albedo`, and the exposure below, without a throw of the dice, so that other seeds stay what they were.
-    let guides = g.import(Import { surface_id: dice.coin(), object_normal: dice.coin(), albedo: seed % 4 != 1 });
+    // `material_class`, `albedo`, and the exposure below, without a throw of the dice, so that other seeds stay what they were.
+    let guides = g.import(Import {
+        surface_id: dice.coin(),
+        object_normal: dice.coin(),
+        material_class: seed % 5 == 2,
+        albedo: seed % 4 != 1,
+    });
     if seed % 3 == 2 {
         let light = g.radiance("noisy_radiance");
         g.filter_exposure(&[light]);
