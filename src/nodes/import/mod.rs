@@ -9,7 +9,7 @@ use crate::contract::{Input, Lifetime, Phase};
 use crate::graph::{Graph, Guides, Motion, RenderedGuides, PACKED_32, PACKED_64};
 use crate::shaders;
 
-/// Parameters of the node `import`. [`Graph::conventions`] has the encodings of your images.
+/// Parameters of the node `import`. [`crate::Setup::conventions`] has the encodings of your images.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Import {
     /// Whether you have an image `surface_id`. Default: true.
