@@ -79,7 +79,7 @@
 // guide, id, optional: the surface_id at that hit: with instance_transforms, moving things in mirrors, and moving mirrors, are followed
 #define ATROUS_INPUT_SPECULAR_HIT_ID "specular_hit_id"
 
-// guide, vector, optional: before that id: previous − current place of the hit, world space
+// guide, vector, optional: before that id, where finite: previous − current place of the hit, world space
 #define ATROUS_INPUT_SPECULAR_MOTION "specular_motion"
 
 // change, vector: with Config::forward_motion, for gradients: motion of deforming surfaces from the previous frame to this one
@@ -145,16 +145,16 @@
 // guide, id, optional: the surface_id of the occluder: with instance_transforms and FrameParams::lights, moving shadows are followed
 #define ATROUS_INPUT_OCCLUDER_ID_3 "occluder_id_3"
 
-// guide, vector, optional: instead of ids: previous − current place of the occluding point, world space
+// guide, vector, optional: before ids, where finite: previous − current place of the occluding point, world space
 #define ATROUS_INPUT_OCCLUDER_MOTION "occluder_motion"
 
-// guide, vector, optional: instead of ids: previous − current place of the occluding point, world space
+// guide, vector, optional: before ids, where finite: previous − current place of the occluding point, world space
 #define ATROUS_INPUT_OCCLUDER_MOTION_1 "occluder_motion_1"
 
-// guide, vector, optional: instead of ids: previous − current place of the occluding point, world space
+// guide, vector, optional: before ids, where finite: previous − current place of the occluding point, world space
 #define ATROUS_INPUT_OCCLUDER_MOTION_2 "occluder_motion_2"
 
-// guide, vector, optional: instead of ids: previous − current place of the occluding point, world space
+// guide, vector, optional: before ids, where finite: previous − current place of the occluding point, world space
 #define ATROUS_INPUT_OCCLUDER_MOTION_3 "occluder_motion_3"
 
 // composition, colour, optional: the reflected light without occluders, albedo included; denoised_radiance then has the product
