@@ -2,7 +2,7 @@
 
 use crate::error::{Result, ToolError};
 use crate::frame::FrameInputs;
-use ash::vk;
+use atrous::ash::vk;
 use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions};
 use atrous::reference::Engine;
 use atrous::{
