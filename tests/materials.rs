@@ -51,7 +51,7 @@ fn denoised(
 /// Text on a screen before a noisy wall: one surface, whose light alone differs.
 fn a_screen_stays_sharp_by_its_class() {
     let is_screen = |x: u32, y: u32| (32..44).contains(&x) && (6..18).contains(&y);
-    let text = |x: u32, y: u32, i: u32| if (x / 2 + y / 3 + i) % 2 == 0 { 0.9 } else { 0.5 };
+    let text = |x: u32, y: u32, i: u32| if (x / 2 + y / 3 + i).is_multiple_of(2) { 0.9 } else { 0.5 };
     let scene = Scene { noise: 0.6, ..Scene::new(EXTENT) };
     let guides = |i: u32| {
         let mut guides = scene.frame(0, i);
