@@ -8,6 +8,7 @@
 // background takes part. LAST: of a volume, what goes out: in the exposure of the host.
 // With SPECULAR no wider than the lobe of the surface blurs what is seen in it: by its radius on the screen, by normals within it, and by
 // hit distance [ours]; a mirror is not filtered at all.
+// optional: material_class
 // variants: SIGNALS=1 SIGNALS=2 SIGNALS=1,SPECULAR=1
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -21,6 +22,7 @@ layout(constant_id = 3) const bool OURS = false;
 layout(constant_id = 4) const bool LAST = false;
 
 layout(push_constant) uniform Push {
+    uint present;
     uint level;
     float sigma_l;
     float sigma_n;
@@ -56,7 +58,14 @@ layout(set = 0, binding = OUTPUT_1, rgba16f) uniform writeonly image2D output_1;
 
 #ifdef SPECULAR
 PACKED_IMAGE_32(5, reflection);
+const uint MATERIAL_CLASS = 6u;
+#elif SIGNALS == 2
+const uint MATERIAL_CLASS = 7u;
+#else
+const uint MATERIAL_CLASS = 5u;
 #endif
+layout(set = 0, binding = MATERIAL_CLASS) uniform utexture2D material_class;
+#include "material.glsl"
 
 const uint SPLINE_KERNEL = 0u;
 const uint BOX_KERNEL = 1u;
@@ -100,8 +109,11 @@ struct Centre {
     float sharpness;  // of luminance
 };
 
+// Of the material.
+float sigma_l;
+
 // log2(e) over the denominator of eq. 5.
-float luminance_sharpness(float deviation) { return LOG2_E / (push.sigma_l * deviation + LUMINANCE_EPSILON); }
+float luminance_sharpness(float deviation) { return LOG2_E / (sigma_l * deviation + LUMINANCE_EPSILON); }
 
 Centre centre_of(vec4 value, float variance) {
     float deviation = sqrt(variance);
@@ -213,6 +225,11 @@ void main() {
         return;
     }
     Geometry geometry = geometry_of(packed, texelFetch(depth_gradient, p, 0).x);
+    Material material = material_at(p);
+    sigma_l = push.sigma_l * material.light;
+    // Tolerated depth is the gradient's share.
+    geometry.surface.gradient *= material.depth;
+    geometry.surface.normal_sharpness /= material.normal;
 #ifdef SPECULAR
     Lobe lobe = lobe_of(p, packed, geometry.surface);
 #endif

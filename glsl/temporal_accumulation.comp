@@ -2,14 +2,14 @@
 // Blends every pixel with its own past: back-projected by motion, tap by tap tested against depth, normal and id.
 // Source: [SVGF] 4.1. Deviations: alpha is at least 1/N; moments are kept as mean and deviation.
 // In:  guide (current, previous), surface_motion, depth_gradient, irradiance_history and luminance_history of the previous frame; object normals in the
-//      place of those of the guide; history_confidence: [ASVGF] 3.5, alpha by pixel; light_ratio per stratum: ours, history follows the light.
+//      place of those of the guide; material_class; history_confidence: [ASVGF] 3.5, alpha by pixel; light_ratio per stratum: ours, history follows the light.
 // In place: irradiance, from noisy to accumulated with the history length in alpha, own pixel only. Out: new_luminance.
 // Counts in statistics: surfaces with a history of their own, and those without by reason.
 // Constants: VOLUME: [PSVGF], along volume_motion; no test but that of the depth of the surface behind, and that less strict; no background.
 // REPAIR: [PSVGF], disocclusion repair: a wider search, motion cut at the border of the image. SHARP: irradiance by the cubic of Catmull and
 // Rom, where all its 4x4 taps show the surface, so that history does not blur as it moves. STRATUM_SIZE: with light_ratio. A pixel with a
 // negative alpha has no sample of its own, and what was filled in weighs less: so each signal has a history length of its own.
-// optional: surface_motion, depth_gradient, volume_motion, object_normal, previous_object_normal, history_confidence, light_ratio
+// optional: surface_motion, depth_gradient, volume_motion, object_normal, previous_object_normal, history_confidence, light_ratio, material_class
 // variants: SIGNALS=1 SIGNALS=2
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -51,6 +51,7 @@ const uint OBJECT_NORMAL = 7u;
 const uint PREVIOUS_OBJECT_NORMAL = 8u;
 const uint HISTORY_CONFIDENCE = 9u;
 const uint LIGHT_RATIO = 18u;
+const uint MATERIAL_CLASS = 19u;
 
 layout(set = 0, binding = 2) uniform utexture2D guide;
 PACKED_IMAGE(3, previous_guide);
@@ -61,6 +62,7 @@ layout(set = 0, binding = OBJECT_NORMAL) uniform utexture2D object_normal;
 layout(set = 0, binding = PREVIOUS_OBJECT_NORMAL) uniform utexture2D previous_object_normal;
 layout(set = 0, binding = HISTORY_CONFIDENCE) uniform texture2D history_confidence;
 layout(set = 0, binding = LIGHT_RATIO) uniform texture2D light_ratio;
+layout(set = 0, binding = MATERIAL_CLASS) uniform utexture2D material_class;
 layout(set = 0, binding = 10) uniform texture2D history_0;
 PACKED_IMAGE(11, previous_luminance_history_0);
 layout(set = 0, binding = 12, rgba16f) uniform image2D irradiance_0;
@@ -71,6 +73,10 @@ PACKED_IMAGE(15, previous_luminance_history_1);
 layout(set = 0, binding = 16, rgba16f) uniform image2D irradiance_1;
 layout(set = 0, binding = 17, r32ui) uniform writeonly uimage2D new_luminance_1;
 #endif
+
+#include "material.glsl"
+
+Material material;
 
 // What moments are taken about, of each signal: luminance_origin of the pixel.
 float origins[SIGNALS];
@@ -198,7 +204,7 @@ bool is_filtered(GuideBits packed) { return VOLUME || guide_depth(packed) != 0.0
 
 Expected volume_expectation(ivec2 p, GuideBits packed, out vec2 motion) {
     motion = is_present(VOLUME_MOTION) ? unpack_volume_motion(texelFetch(volume_motion, p, 0).x) : vec2(0.0);
-    return Expected(volume_depth(packed), push.depth_tolerance, vec2(0.0), vec3(0.0), 0u, false);
+    return Expected(volume_depth(packed), push.depth_tolerance, vec2(0.0), vec3(0.0), push.normal_tolerance, 0u, false);
 }
 
 Expected surface_expectation(ivec2 p, GuideBits packed, out vec2 motion) {
@@ -207,7 +213,10 @@ Expected surface_expectation(ivec2 p, GuideBits packed, out vec2 motion) {
     motion = m.motion;
     vec2 gradient = is_present(DEPTH_GRADIENT) ? unpack_depth_gradient(texelFetch(depth_gradient, p, 0).x) : vec2(0.0);
     vec3 n = has_object_normals() ? unpack_object_normal(texelFetch(object_normal, p, 0).x) : m.previous_normal;
-    return expected_surface(packed, m, gradient, n);
+    Expected expected = expected_surface(packed, m, gradient, n);
+    expected.depth_tolerance += (material.depth - 1.0) * push.depth_tolerance * expected.depth;
+    expected.normal_tolerance += (1.0 - material.normal) * (1.0 - push.normal_tolerance);
+    return expected;
 }
 
 // What the previous frame must show, and where.
@@ -241,11 +250,12 @@ float light_scale(vec3 ratio) {
 }
 
 float longest_history(float change) {
-    if (!is_present(HISTORY_CONFIDENCE)) return push.max_history_length;
+    float longest = min(push.max_history_length, material.longest_history);
+    if (!is_present(HISTORY_CONFIDENCE)) return longest;
     // [PSVGF]: as long as the weight of this frame says, so that later frames react, too. Else: what alpha forgets is gone from the
     // length, too, so that the variance is estimated from the neighbourhood.
     float weight = REPAIR ? change : adapted(push.alpha, change);
-    return min(push.max_history_length, 1.0 / max(weight, 1e-6));
+    return min(longest, 1.0 / max(weight, 1e-6));
 }
 
 void main() {
@@ -254,6 +264,8 @@ void main() {
     GuideBits packed = GuideBits(texelFetch(guide, p, 0));
     bool background = !is_filtered(packed);
     bool reset = has_flag(FLAG_RESET);
+    material = material_at(p);
+    if (is_present(MATERIAL_CLASS) && !background && !is_class(class_at(p))) count_bad(BAD_MATERIAL_CLASS);
     vec4 texels[SIGNALS];
     texels[0] = imageLoad(irradiance_0, p);
 #if SIGNALS == 2

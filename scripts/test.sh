@@ -4,18 +4,21 @@
 # asks for a newer compiler, which is installed beside the one that is there.
 # --solari: examples/solari alone, in the same workspace, on the software Vulkan of Debian's backports, which has ray queries: it is
 # unpacked under target and not installed.
+# --mesa25: the library's suite on that driver, whose bits have a table of their own.
 # --blade: those of examples/host_blade alone, on a copy of blade-graphics that shows its Vulkan handles.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bevy=false
 blade=false
 solari=false
+mesa25=false
 for option in "$@"; do
     case $option in
         --bevy) bevy=true ;;
         --blade) blade=true ;;
         --solari) solari=true ;;
-        *) echo "test.sh: unknown option $option: --bevy, --solari and --blade are known" >&2; exit 1 ;;
+        --mesa25) mesa25=true ;;
+        *) echo "test.sh: unknown option $option: --bevy, --solari, --mesa25 and --blade are known" >&2; exit 1 ;;
     esac
 done
 scripts/setup.sh --test
@@ -74,6 +77,15 @@ if $solari; then
         step cargo "+$version" test "${host[@]}" --package solari --quiet
     echo
     echo "test.sh --solari: all passed, $SECONDS s"
+    exit
+fi
+
+if $mesa25; then
+    mesa=$(unpack_mesa)
+    VK_DRIVER_FILES=$mesa VK_ICD_FILENAMES=$mesa LD_LIBRARY_PATH=${mesa%/*}/usr/lib/x86_64-linux-gnu \
+        step cargo test --package atrous --features capture,hot-reload --quiet --test suite
+    echo
+    echo "test.sh --mesa25: all passed, $SECONDS s"
     exit
 fi
 

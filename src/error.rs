@@ -84,6 +84,20 @@ pub enum Error {
         /// Allocated pixels of the output.
         allocated: [u32; 2],
     },
+    /// A number of a class of materials is out of range.
+    #[error("FrameParams::materials[{class}].{name} is {given}; allowed is {min} to {max}. Leave a class that you do not use at Material::default()")]
+    Material {
+        /// The class.
+        class: usize,
+        /// Field of [`crate::Material`].
+        name: &'static str,
+        /// Value as given.
+        given: f32,
+        /// Smallest legal value.
+        min: f32,
+        /// Largest legal value.
+        max: f32,
+    },
     /// A structural setting is out of range.
     #[error("Config::{name} is {given}; allowed is {min} to {max}")]
     Config {

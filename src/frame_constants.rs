@@ -29,6 +29,7 @@ pub struct FrameConstants {
     pub eye: [f32; 4],
     pub lights: [[f32; 4]; 4],
     pub previous_lights: [[f32; 4]; 4],
+    pub materials: [[f32; 4]; 16],
     pub output_extent: [u32; 2],
     pub previous_output_extent: [u32; 2],
     pub guide_extent: [u32; 2],

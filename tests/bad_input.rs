@@ -4,7 +4,7 @@ use super::support::{self, assert_valid, frame, gpu, scene::Guides, scene::Scene
 use atrous::config::{Conventions, Signals};
 use atrous::executor::{HeadlessDevice, HeadlessOptions};
 use atrous::graph::Graph;
-use atrous::{Binding, Config, Counter, Denoiser, Error, FrameParams, Tuning};
+use atrous::{Binding, Config, Counter, Denoiser, Error, FrameParams, Setup, Tuning};
 use atrous_harness::DeviceTest;
 
 pub const TESTS: &[DeviceTest] = &[
@@ -131,7 +131,7 @@ fn numbers_of_conventions_that_cannot_be_are_named() {
             let message = error.expect_err("refused").to_string();
             assert!(message.contains(&format!("background_depth is {given}")) && message.contains("above 0"), "{message}");
         }
-        let graph = Graph::new([8, 8]).conventions(conventions).finish();
+        let graph = Graph::of(Setup { conventions, ..Setup::new([8, 8]) }).finish();
         assert!(matches!(graph, Err(Error::Conventions { .. })), "{given}");
     }
     for given in [f32::NAN, -1.0, 0.0, f32::INFINITY, 1e-40] {

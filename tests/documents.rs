@@ -110,6 +110,7 @@ fn configurations() -> Vec<Config> {
                 all.push(Config {
                     post_process: PostProcess::ToneMapTaa,
                     object_normal: true,
+                    material_class: true,
                     debug_view: true,
                     reactive_mask: true,
                     volume: true,

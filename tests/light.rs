@@ -18,6 +18,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("images_of_light_have_its_extent", images_of_light_have_its_extent),
     ("light_of_every_pixel_changes_nothing", light_of_every_pixel_changes_nothing),
     ("a_volume_of_half_the_light_ends_where_surfaces_do", a_volume_of_half_the_light_ends_where_surfaces_do),
+    ("normals_change_nothing_of_a_volume_of_half_the_light", normals_change_nothing_of_a_volume_of_half_the_light),
     ("half_the_visibility_of_several_lights_is_of_each_its_own", half_the_visibility_of_several_lights_is_of_each_its_own),
     ("a_mask_of_half_the_light_marks_what_came_into_view", a_mask_of_half_the_light_marks_what_came_into_view),
 ];
@@ -218,6 +219,25 @@ fn a_volume_of_half_the_light_ends_where_surfaces_do() {
         }
         println!("{preset}: {error:.4} beside edges, of an enlarged picture {bilinear:.4}");
         assert!(error < 0.9 * bilinear, "{preset}: {error} {bilinear}");
+    }
+    assert_valid();
+}
+
+/// Fog lies before surfaces: how rough they are is nothing to it, as it would be to their own light.
+fn normals_change_nothing_of_a_volume_of_half_the_light() {
+    let config = Config { preset: Preset::Volume, light_extent: Some(HALF), ..Config::new(EXTENT) };
+    let [mut smooth, mut rough] = [(); 2].map(|()| session(&config));
+    for i in 0..3 {
+        let scene = scene(EXTENT, 0.02, [0.0; 2]);
+        let guides = scene.frame(i, i);
+        let normal = |k: usize| [(k as f32 * 2.4).sin(), 0.3, (k as f32 * 2.4).cos(), 0.0];
+        let bumpy = Guides { normal: (0..guides.normal.len()).map(normal).collect(), ..guides.clone() };
+        let pictures = [(&mut smooth, &guides), (&mut rough, &bumpy)].map(|(s, guides)| {
+            upload_traced(s, guides, offset(i));
+            s.run(&FrameParams { light_offset: offset(i), ..scene.params(i) }, &Tuning::default()).expect("a frame");
+            s.download("denoised_volume").expect("an output")
+        });
+        assert!(pictures[0] == pictures[1], "frame {i}");
     }
     assert_valid();
 }

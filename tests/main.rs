@@ -31,6 +31,7 @@ mod hot_reload;
 mod input_sets;
 mod light;
 mod links;
+mod materials;
 mod mirror;
 mod one_call;
 mod packages;
@@ -95,6 +96,7 @@ fn main() {
         Group { name: "graphs", tests: graphs::TESTS, needs_device: true },
         Group { name: "light", tests: light::TESTS, needs_device: true },
         Group { name: "links", tests: links::TESTS, needs_device: false },
+        Group { name: "materials", tests: materials::TESTS, needs_device: true },
         Group { name: "mirror", tests: mirror::TESTS, needs_device: true },
         Group { name: "one_call", tests: one_call::TESTS, needs_device: true },
         Group { name: "packages", tests: packages::TESTS, needs_device: false },

@@ -1,6 +1,6 @@
 //! A picture that is a part of the host's images.
 
-use super::support::{assert_valid, scene::Scene, session, upload, upload_part};
+use super::support::{assert_valid, materials, scene::Scene, session, upload, upload_part};
 use atrous::config::{AdaptiveRule, GradientSource, PostProcess, Preset, Sampling, Signals};
 use atrous::{Config, DebugView, Declaration, Error, FrameParams, Lifetime, Shape, Tuning};
 use atrous_harness::DeviceTest;
@@ -28,7 +28,7 @@ fn configs() -> [Config; 6] {
     [
         best,
         Config { signals: specular, sampling: Sampling::OneOf2x2, ..base },
-        Config { preset: Preset::Svgf, volume: true, float_output: true, ..lights },
+        Config { preset: Preset::Svgf, material_class: true, volume: true, float_output: true, ..lights },
         Config { preset: Preset::Asvgf, gradient_source: GradientSource::Reshaded, signals: apart, object_normal: true, ..base },
         Config { preset: Preset::Percentile, adaptive_rule: AdaptiveRule::Percentiles, post_process: PostProcess::ToneMap, ..base },
         Config { preset: Preset::Eaw, ..base },
@@ -58,7 +58,7 @@ fn a_part_has_the_bits_of_a_picture_of_its_own() {
         let widths = outputs(within.executor().denoiser().declaration());
         for (i, origin) in (0..).zip(ORIGINS) {
             let view = DebugView::ALL[(3 * i as usize + 2) % DebugView::ALL.len()];
-            let params = FrameParams { debug_view: Some(view), reshaded: i > 1, ..scene.params(i) };
+            let params = FrameParams { debug_view: Some(view), reshaded: i > 1, materials: materials(), ..scene.params(i) };
             let guides = scene.frame(i, i);
             upload(&mut alone, &guides);
             upload_part(&mut within, &guides, origin);

@@ -32,6 +32,7 @@ layout(set = 0, binding = 0, std140) FRAME_ACCESS FrameConstants {
     vec4 eye;                       // of this frame, in the host's world space; w is 0
     vec4 lights[4];                 // of which a host gives the visibility: homogeneous places; 0: not known
     vec4 previous_lights[4];        // in the previous frame
+    vec4 materials[16];             // by class: factors of depth, normal and light; longest history, frames
     uvec2 output_extent;            // pixels
     uvec2 previous_output_extent;   // pixels
     uvec2 guide_extent;             // pixels; render_extent and jitter are those of the light, which may have fewer

@@ -26,8 +26,9 @@ const uint BAD_HIT_ID = 18u;
 const uint BAD_OCCLUDER_ID = 19u;
 const uint BAD_OCCLUDER_MOTION = 20u;
 const uint BAD_SPECULAR_MOTION = 21u;
+const uint BAD_MATERIAL_CLASS = 22u;
 
-layout(set = 0, binding = 1, std430) buffer Statistics { uint counts[22]; } statistics;
+layout(set = 0, binding = 1, std430) buffer Statistics { uint counts[23]; } statistics;
 
 void count_bad(uint which) { atomicAdd(statistics.counts[which], 1u); }
 

@@ -14,6 +14,7 @@ struct Expected {
     float depth_tolerance;
     vec2 gradient;  // of depth, scene units per pixel
     vec3 normal;
+    float normal_tolerance;
     uint id8;
     bool is_dark;
 };
@@ -21,7 +22,7 @@ struct Expected {
 Expected expected_surface(GuideBits packed, SurfaceMotion m, vec2 gradient, vec3 normal) {
     float previous_z = guide_depth(packed) * (1.0 + m.depth_ratio);
     float tolerance = push.depth_tolerance * previous_z + abs(gradient.x) + abs(gradient.y);
-    return Expected(previous_z, tolerance, gradient, normal, guide_id(packed), guide_is_dark(packed));
+    return Expected(previous_z, tolerance, gradient, normal, push.normal_tolerance, guide_id(packed), guide_is_dark(packed));
 }
 
 // Of a pixel of the previous frame without a look at its normal. `slack`: depth that the surface may have gained on the way to a tap that
@@ -33,6 +34,6 @@ uint surface_refusal(GuideBits packed, Expected expected, float slack) {
     return !(abs(z - expected.depth) <= expected.depth_tolerance + slack) ? REASON_DEPTH : REASON_NONE;
 }
 
-uint normal_refusal(vec3 n, Expected expected) { return dot(n, expected.normal) < push.normal_tolerance ? REASON_NORMAL : REASON_NONE; }
+uint normal_refusal(vec3 n, Expected expected) { return dot(n, expected.normal) < expected.normal_tolerance ? REASON_NORMAL : REASON_NONE; }
 
 #endif

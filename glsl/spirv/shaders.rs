@@ -5,28 +5,29 @@ const _: () = assert!(std::mem::offset_of!(FrameConstants, eye) == 448);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, filter_exposure) == 440);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, flags) == 420);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, frame_index) == 416);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, guide_extent) == 608);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, guide_jitter) == 624);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, guide_extent) == 864);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, guide_jitter) == 880);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, inverse_filter_exposure) == 444);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, jitter) == 400);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, light_offset) == 648);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, light_ratio) == 640);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, light_offset) == 904);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, light_ratio) == 896);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, lights) == 464);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, motion_scale) == 664);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, output_extent) == 592);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, materials) == 592);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, motion_scale) == 920);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, output_extent) == 848);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_from_world) == 128);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_w_offset) == 436);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_w_scale) == 432);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_guide_extent) == 616);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_guide_jitter) == 632);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_guide_extent) == 872);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_guide_jitter) == 888);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_jitter) == 408);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_lights) == 528);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_output_extent) == 600);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_output_extent) == 856);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_render_extent) == 392);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_view_from_world) == 192);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, render_extent) == 384);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, sample_from_world) == 320);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, viewport_origin) == 656);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, viewport_origin) == 912);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, world_from_previous_sample) == 256);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, world_from_view) == 64);
 pub(crate) static ATROUS_SIGNALS_1: Shader = Shader {
@@ -37,15 +38,18 @@ pub(crate) static ATROUS_SIGNALS_1: Shader = Shader {
         ShaderBinding { number: 2, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
         ShaderBinding { number: 3, name: Cow::Borrowed("input_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadOnly), optional: false },
         ShaderBinding { number: 4, name: Cow::Borrowed("output_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("material_class"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
     ]),
     members: Cow::Borrowed(&[
-        PushMember { name: Cow::Borrowed("level"), offset: 0, scalar: Scalar::Uint },
-        PushMember { name: Cow::Borrowed("sigma_l"), offset: 4, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("sigma_n"), offset: 8, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("sigma_z"), offset: 12, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("volume_sigma_z"), offset: 16, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("level"), offset: 4, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("sigma_l"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_n"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_z"), offset: 16, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("volume_sigma_z"), offset: 20, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("KERNEL"), id: 1, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("OURS"), id: 3, scalar: Scalar::Bool, default: 0 },
@@ -63,15 +67,18 @@ pub(crate) static ATROUS_SIGNALS_2: Shader = Shader {
         ShaderBinding { number: 4, name: Cow::Borrowed("output_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
         ShaderBinding { number: 5, name: Cow::Borrowed("input_1"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadOnly), optional: false },
         ShaderBinding { number: 6, name: Cow::Borrowed("output_1"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 7, name: Cow::Borrowed("material_class"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
     ]),
     members: Cow::Borrowed(&[
-        PushMember { name: Cow::Borrowed("level"), offset: 0, scalar: Scalar::Uint },
-        PushMember { name: Cow::Borrowed("sigma_l"), offset: 4, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("sigma_n"), offset: 8, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("sigma_z"), offset: 12, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("volume_sigma_z"), offset: 16, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("level"), offset: 4, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("sigma_l"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_n"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_z"), offset: 16, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("volume_sigma_z"), offset: 20, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("KERNEL"), id: 1, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("OURS"), id: 3, scalar: Scalar::Bool, default: 0 },
@@ -88,16 +95,19 @@ pub(crate) static ATROUS_SIGNALS_1_SPECULAR_1: Shader = Shader {
         ShaderBinding { number: 3, name: Cow::Borrowed("input_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadOnly), optional: false },
         ShaderBinding { number: 4, name: Cow::Borrowed("output_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
         ShaderBinding { number: 5, name: Cow::Borrowed("reflection"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("material_class"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
     ]),
     members: Cow::Borrowed(&[
-        PushMember { name: Cow::Borrowed("level"), offset: 0, scalar: Scalar::Uint },
-        PushMember { name: Cow::Borrowed("sigma_l"), offset: 4, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("sigma_n"), offset: 8, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("sigma_z"), offset: 12, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("volume_sigma_z"), offset: 16, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("specular_blur"), offset: 20, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("level"), offset: 4, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("sigma_l"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_n"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_z"), offset: 16, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("volume_sigma_z"), offset: 20, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("specular_blur"), offset: 24, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("KERNEL"), id: 1, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("OURS"), id: 3, scalar: Scalar::Bool, default: 0 },
@@ -997,6 +1007,7 @@ pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_1: Shader = Shader {
         ShaderBinding { number: 12, name: Cow::Borrowed("irradiance_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite), optional: false },
         ShaderBinding { number: 13, name: Cow::Borrowed("new_luminance_0"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
         ShaderBinding { number: 18, name: Cow::Borrowed("light_ratio"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 19, name: Cow::Borrowed("material_class"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
@@ -1037,6 +1048,7 @@ pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_2: Shader = Shader {
         ShaderBinding { number: 16, name: Cow::Borrowed("irradiance_1"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite), optional: false },
         ShaderBinding { number: 17, name: Cow::Borrowed("new_luminance_1"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
         ShaderBinding { number: 18, name: Cow::Borrowed("light_ratio"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 19, name: Cow::Borrowed("material_class"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },

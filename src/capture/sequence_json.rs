@@ -1,7 +1,7 @@
 //! The text of `sequence.json`: see docs/specification/exr.md for its keys.
 
 use crate::config::{Config, Conventions};
-use crate::contract::{FrameParams, ResetReason, Tuning};
+use crate::contract::{FrameParams, Material, ResetReason, Tuning};
 use serde::Serialize;
 use serde_json::{Error, Map, Value};
 use std::collections::BTreeMap;
@@ -25,6 +25,9 @@ struct Frame {
     /// Left out where it is the first pixel of its cell.
     #[serde(skip_serializing_if = "Option::is_none")]
     offset: Option<[u32; 2]>,
+    /// Left out where all classes are as the tunables say.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    materials: Option<[[f64; 4]; Material::CLASSES]>,
     tuning: BTreeMap<&'static str, f64>,
     view: [[f64; 4]; 4],
     proj: [[f64; 4]; 4],
@@ -62,6 +65,8 @@ pub(super) fn frame([number, index]: [u64; 2], params: &FrameParams, tuning: &Tu
         reshaded: params.reshaded,
         lights: (params.lights != [[0.0; 4]; 4]).then(|| params.lights.map(|light| light.map(f64::from))),
         offset: (params.light_offset != [0; 2]).then_some(params.light_offset),
+        materials: (params.materials != FrameParams::new([1; 2]).materials)
+            .then(|| params.materials.map(|material| <[f32; 4]>::from(material).map(f64::from))),
         tuning: tunables(tuning, Some(first)),
         view: rows(&params.view_from_world),
         proj: rows(&params.clip_from_view),

@@ -146,6 +146,11 @@ macro_rules! config_fields {
                 /// begins: [`crate::FrameParams::viewport_origin`]. What lies outside is neither read nor written. Keep the old
                 /// content of outputs that you share. None: they have the allocated extent. Default: none.
                 image_extent: host extent_or_none Option<[u32; 2]> = None;
+                /// Whether you give a class of materials per pixel, as the input `material_class`: 0 to 15. Each class has an entry in
+                /// [`crate::FrameParams::materials`]: factors of tolerances and of the filter's strength, and a longest history. They hold
+                /// where surfaces are accumulated and in the levels of the filter, not in [`Preset::Eaw`]. Costs no memory. Default:
+                /// false.
+                material_class: host flag bool = false;
             }
         }
     };

@@ -37,6 +37,7 @@ fn config() -> Config {
         light_extent: Some([32, 18]),
         image_extent: Some([128, 72]),
         reactive_mask: true,
+        material_class: true,
         conventions: Conventions {
             depth: DepthEncoding::Device,
             background_depth: 0.1,

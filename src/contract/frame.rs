@@ -1,6 +1,6 @@
 //! A frame: your parameters, the memory of the previous frame, and the block that every pass reads.
 
-use super::{DebugView, Setup, Tuning};
+use super::{DebugView, Material, Setup, Tuning};
 use crate::choice::choices;
 use crate::config::{check_extent, check_light_extent, check_output_extent};
 use crate::error::Error;
@@ -86,6 +86,10 @@ pub struct FrameParams {
     /// extent. It may differ from frame to frame, and resets nothing. None: all of them. Default: none.
     #[cfg_attr(feature = "serde", serde(default))]
     pub output_extent: Option<[u32; 2]>,
+    /// With [`crate::Config::material_class`], the numbers of each class. It may differ from frame to frame, and resets nothing.
+    /// Default: those of [`Tuning`] for every class.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub materials: [Material; Material::CLASSES],
 }
 
 /// The exposure ratio of a file that has none.
@@ -113,6 +117,7 @@ impl FrameParams {
             light_offset: [0; 2],
             viewport_origin: [0; 2],
             output_extent: None,
+            materials: [Material::default(); Material::CLASSES],
         }
     }
 
@@ -160,7 +165,7 @@ impl FrameParams {
             let problem = "must be finite, with w 1 for a lamp and 0 for a sun; all 0 where the place is not known";
             return Err(Error::FrameParams { name: "lights", problem });
         }
-        Ok(())
+        self.materials.iter().enumerate().try_for_each(|(class, material)| material.validate(class))
     }
 }
 
@@ -282,6 +287,7 @@ fn constants(setup: &Setup, now: &FrameParams, before: &FrameParams, index: u64,
         previous_lights: std::array::from_fn(|i| {
             from_eye(if before.lights[i] == UNKNOWN { now.lights[i] } else { before.lights[i] }, eye)
         }),
+        materials: now.materials.map(Into::into),
         output_extent: setup.output_of(now),
         previous_output_extent: setup.output_of(before),
         guide_extent: now.render_extent,

@@ -183,6 +183,8 @@ inputs! {
     INSTANCE_TRANSFORMS = "instance_transforms": Guide Transforms, true, None, None;
     /// with `Config::object_normal`: lets a turning object keep its history
     OBJECT_NORMAL = "object_normal": Guide Vector, false, None, captured(&["object_normal"], XYZ);
+    /// with `Config::material_class`: 0 to 15, an entry of `FrameParams::materials`
+    MATERIAL_CLASS = "material_class": Guide Id, false, Some(Counter::MaterialClass), captured(&["material_class"], I);
     /// 0 to 1, perceptual or GGX's α; without it surfaces are rough. `Signals::Specular` and `Mixed` read it
     ROUGHNESS = "roughness": Guide Scalar, true, Some(Counter::Roughness), common(&["roughness"], &["Y"]);
     /// radiance is divided by it and multiplied again, so textures stay sharp
@@ -210,7 +212,7 @@ inputs! {
         captured(&["hitdist", "hit_distance"], &["D"]);
     /// the `surface_id` at that hit: with `instance_transforms`, moving things in mirrors, and moving mirrors, are followed
     SPECULAR_HIT_ID = "specular_hit_id": Guide Id, true, Some(Counter::HitId), captured(&["hit_id"], &["I"]);
-    /// before that id: previous − current place of the hit, world space
+    /// before that id, where finite: previous − current place of the hit, world space
     SPECULAR_MOTION = "specular_motion": Guide Vector, true, Some(Counter::SpecularMotion), captured(&["specular_motion"], XYZ);
     /// with `Config::forward_motion`, for gradients: motion of deforming surfaces from the previous frame to this one
     FORWARD_MOTION = "forward_motion": Change Vector, false, Some(Counter::ForwardMotion), captured(&["forward_motion"], XYZ);
@@ -242,7 +244,7 @@ inputs! {
         OCCLUDER_DISTANCE = "occluder_distance": Guide Scalar, false, Some(Counter::OccluderDistance), "occluder_distance" Z;
         /// the `surface_id` of the occluder: with `instance_transforms` and `FrameParams::lights`, moving shadows are followed
         OCCLUDER_ID = "occluder_id": Guide Id, true, Some(Counter::OccluderId), "occluder_id" I;
-        /// instead of ids: previous − current place of the occluding point, world space
+        /// before ids, where finite: previous − current place of the occluding point, world space
         OCCLUDER_MOTION = "occluder_motion": Guide Vector, true, Some(Counter::OccluderMotion), "occluder_motion" XYZ;
         /// the reflected light without occluders, albedo included; `denoised_radiance` then has the product
         UNSHADOWED_DIRECT = "unshadowed_direct": Composition Colour, true, Some(Counter::Radiance), "unshadowed_direct" RGB;

@@ -59,6 +59,8 @@ choices! {
         OccluderMotion = 20 => "occluder_motion",
         /// A `specular_motion` that is not finite, as [`Self::HitId`].
         SpecularMotion = 21 => "specular_motion",
+        /// A `material_class` of 16 or above, on a surface; once for each accumulation of a graph.
+        MaterialClass = 22 => "material_class",
     }
 }
 

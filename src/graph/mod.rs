@@ -52,7 +52,7 @@ pub(crate) use port::{KeptLuminance, Motion, RenderedGuides};
 pub(crate) use resources::{CONFIDENCE, HDR, PACKED_128, PACKED_32, PACKED_64, WIDE_HDR};
 
 use crate::choice::choices;
-use crate::config::{Config, Conventions};
+use crate::config::Config;
 use crate::contract::{Declaration, PassDecl, ResourceDecl, ResourceId, Setup};
 use crate::error::Error;
 use crate::frame_constants::Flags;
@@ -111,10 +111,16 @@ struct ResourceState {
 impl Graph {
     /// An empty graph for images of an extent, with two frames in flight and default conventions.
     pub fn new(allocated_extent: [u32; 2]) -> Self {
+        Self::of(Setup::new(allocated_extent))
+    }
+
+    /// An empty graph with extents, conventions and frames in flight of your own: for example light of half the extent, or a picture
+    /// that is a part of your images. [`Config::setup`] has those of a configuration.
+    pub fn of(setup: Setup) -> Self {
         static KEYS: AtomicU32 = AtomicU32::new(0);
         let mut graph = Self {
             key: KEYS.fetch_add(1, Ordering::Relaxed),
-            setup: Setup::new(allocated_extent),
+            setup,
             config: None,
             resources: Vec::new(),
             passes: Vec::new(),
@@ -134,22 +140,7 @@ impl Graph {
 
     /// The graph of a preset: extents, conventions and frames in flight of a configuration.
     pub(crate) fn of_config(config: &Config) -> Self {
-        Self { setup: config.setup(), config: Some(*config), ..Self::new(config.allocated_extent) }
-    }
-
-    /// Sets the encodings of your guides. Default: [`Conventions::default`].
-    pub fn conventions(self, conventions: Conventions) -> Self {
-        Self { setup: Setup { conventions, ..self.setup }, ..self }
-    }
-
-    /// Sets the size of the picture that you show: see [`Config::output_extent`]. Set it before you add nodes. Default: none.
-    pub fn output_extent(self, output_extent: Option<[u32; 2]>) -> Self {
-        Self { setup: Setup { output_extent, ..self.setup }, ..self }
-    }
-
-    /// Sets the size of your noisy images: see [`Config::light_extent`]. Set it before you add nodes. Default: none.
-    pub fn light_extent(self, light_extent: Option<[u32; 2]>) -> Self {
-        Self { setup: Setup { light_extent, ..self.setup }, ..self }
+        Self { config: Some(*config), ..Self::of(config.setup()) }
     }
 
     /// Whether light has fewer pixels than the guides.
@@ -165,11 +156,6 @@ impl Graph {
     /// Whether light comes divided by the albedo.
     pub(crate) fn gets_irradiance(&self) -> bool {
         self.setup.conventions.demodulated
-    }
-
-    /// Frames that you record before you wait for the oldest, 1 to 8. Default: 2.
-    pub fn frames_in_flight(self, frames_in_flight: u32) -> Self {
-        Self { setup: Setup { frames_in_flight, ..self.setup }, ..self }
     }
 
     /// Sets whether transients may lie in the images of outputs, before an output itself is written

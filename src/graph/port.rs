@@ -264,6 +264,8 @@ pub struct Guides {
     pub depth_gradient: Image,
     /// Object-space normal, if you have one; packed, 32 bits.
     pub object_normal: Option<Image>,
+    /// Your class of materials, if you have one.
+    pub material_class: Option<Image>,
     /// Those of every rendered pixel. They are the same images, unless the light has fewer pixels.
     pub(crate) rendered: RenderedGuides,
 }

@@ -78,6 +78,7 @@ impl Config {
         let guides = g.import(Import {
             surface_id: self.surface_id,
             object_normal: self.object_normal && self.has_surface_history(),
+            material_class: self.material_class && self.has_surface_history(),
             albedo: filter.is_some(),
         });
         filter_exposure(&mut g, self);
@@ -129,7 +130,7 @@ impl Config {
         }
     }
 
-    /// Whether the preset accumulates surfaces: object-space normals serve that alone.
+    /// Whether the preset accumulates surfaces: object-space normals and classes of materials serve that alone.
     fn has_surface_history(&self) -> bool {
         !matches!(self.preset, Preset::Eaw | Preset::Volume)
     }

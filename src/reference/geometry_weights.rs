@@ -1,6 +1,7 @@
 //! Edge stopping by geometry, shared by all signals and by the stages `variance` and `atrous`.
 
 use super::guide::{unpack_guide, Surface};
+use super::material::tuning_at;
 use super::surface_motion::unpack_depth_gradient;
 use super::volume::{relative_difference, volume_depth};
 use super::Image;
@@ -15,8 +16,9 @@ pub(crate) struct Geometry {
     surfaces: Image<Surface>,
     gradients: Image<Vec2>,
     edges: Edges,
-    /// Tolerated difference of luminance in standard deviations.
-    pub sigma_l: f32,
+    sigma_l: f32,
+    /// Those of each pixel, where materials have some of their own.
+    materials: Option<Image<(Edges, f32)>>,
 }
 
 /// Edge stopping by geometry.
@@ -32,14 +34,35 @@ enum Edges {
     },
 }
 
+impl Default for Edges {
+    fn default() -> Self {
+        Self::Surface { sigma_z: 0.0, sigma_n: 0.0 }
+    }
+}
+
+impl Edges {
+    fn of_surfaces(tuning: &Tuning) -> Self {
+        Self::Surface { sigma_z: tuning.sigma_z, sigma_n: tuning.sigma_n }
+    }
+}
+
 impl Geometry {
     pub(crate) fn new(frame: &FrameConstants, tuning: &Tuning, guide: &Image<[u16; 4]>, depth_gradient: &Image<u32>) -> Self {
         Self {
             surfaces: Image::compute(guide.extent(), frame.render_extent, |p| unpack_guide(guide.at(p))),
             gradients: Image::compute(guide.extent(), frame.render_extent, |p| unpack_depth_gradient(depth_gradient.at(p)).into()),
-            edges: Edges::Surface { sigma_z: tuning.sigma_z, sigma_n: tuning.sigma_n },
+            edges: Edges::of_surfaces(tuning),
             sigma_l: tuning.sigma_l,
+            materials: None,
         }
+    }
+
+    /// By the classes of materials.
+    pub(crate) fn with_materials(mut self, frame: &FrameConstants, tuning: &Tuning, classes: &Image<u32>) -> Self {
+        let of = |p| tuning_at(frame, tuning, Some(classes), p);
+        let sigmas = |tuning: Tuning| (Edges::of_surfaces(&tuning), tuning.sigma_l);
+        self.materials = Some(Image::compute(self.extent(), frame.render_extent, |p| sigmas(of(p))));
+        self
     }
 
     /// The geometry of a volume before the surfaces of the guide.
@@ -50,11 +73,21 @@ impl Geometry {
             gradients: Image::new([0; 2], Vec2::ZERO),
             edges: Edges::Volume { sigma_z: tuning.volume_sigma_z },
             sigma_l: tuning.sigma_l,
+            materials: None,
         }
     }
 
     pub(crate) fn extent(&self) -> [u32; 2] {
         self.surfaces.extent()
+    }
+
+    fn edges(&self, p: IVec2) -> Edges {
+        self.materials.as_ref().map_or(self.edges, |materials| materials.at(p).0)
+    }
+
+    /// Tolerated difference of luminance in standard deviations.
+    pub(crate) fn sigma_l(&self, p: IVec2) -> f32 {
+        self.materials.as_ref().map_or(self.sigma_l, |materials| materials.at(p).1)
     }
 
     pub(crate) fn is_background(&self, p: IVec2) -> bool {
@@ -75,7 +108,7 @@ impl Geometry {
         if at_q.is_background() {
             return 0.0;
         }
-        match self.edges {
+        match self.edges(p) {
             Edges::Surface { .. } if at_p.is_dark != at_q.is_dark => 0.0,
             Edges::Surface { sigma_z, sigma_n } => {
                 let offset = (q - p).as_vec2();

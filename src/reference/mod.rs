@@ -33,6 +33,7 @@ pub(crate) mod kept_radiance;
 pub(crate) mod light_ratio;
 pub(crate) mod luminance;
 pub(crate) mod luminance_history;
+pub(crate) mod material;
 pub(crate) mod nearest_history;
 pub(crate) mod octahedral;
 pub(crate) mod outgoing;

@@ -52,6 +52,7 @@ pub fn config(dice: &mut Dice) -> Config {
         light_extent: None,
         image_extent: None,
         reactive_mask: dice.coin(),
+        material_class: dice.coin(),
         coloured_visibility: dice.coin(),
         ambient_occlusion: dice.coin(),
         conventions,
@@ -116,6 +117,7 @@ fn params(dice: &mut Dice, config: &Config, frame: u32) -> FrameParams {
         light_offset: [0; 2],
         viewport_origin: [0; 2],
         output_extent: None,
+        materials: std::array::from_fn(|_| [0.01, 0.01, 0.01, 1.0].map(|least| least * dice.one_of(&[1.0, 100.0, 1000.0])).into()),
         frame_slot: frame % config.frames_in_flight,
         reset: (dice.below(8) == 0).then(|| dice.one_of(&ResetReason::ALL)),
         render_extent: if dice.coin() { [width, height] } else { [1 + dice.below(width), 1 + dice.below(height)] },
@@ -174,12 +176,16 @@ fn upload_some(session: &mut Session, dice: &mut Dice, inputs: &[(String, usize)
             session.upload(name, &texels(dice, *count)).expect(name);
         }
     }
-    let declaration = session.executor().denoiser().declaration();
+    let declaration = session.executor().denoiser().declaration().clone();
     let [width, height] = declaration.allocated_extent();
     let (has_ids, has_transforms) = (declaration.find("surface_id").is_some(), declaration.find("instance_transforms").is_some());
     if has_ids && (is_first || dice.below(4) == 0) {
         let ids: Vec<u32> = (0..width * height).map(|_| dice.one_of(&[0, 1, 1, 1, 2, 300, u32::MAX])).collect();
         session.upload_ids("surface_id", &ids).expect("surface_id");
+    }
+    if declaration.find("material_class").is_some() && (is_first || dice.below(4) == 0) {
+        let classes: Vec<u32> = (0..width * height).map(|_| dice.below(20)).collect();
+        session.upload_ids("material_class", &classes).expect("material_class");
     }
     if has_transforms && dice.below(4) == 0 {
         let rows: Vec<u8> = (0..3 * 12).flat_map(|_| any(dice).to_ne_bytes()).collect();

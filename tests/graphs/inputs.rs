@@ -5,14 +5,14 @@ use atrous::executor::Session;
 use atrous::reference::{Engine, InstanceTransform};
 use atrous::{Declaration, Error, Lifetime, ResourceDecl, Shape};
 
-/// Inputs of ids, beside that of surfaces.
-const HIT_IDS: [&str; 5] = ["specular_hit_id", "occluder_id", "occluder_id_1", "occluder_id_2", "occluder_id_3"];
+/// Inputs of ids, beside that of surfaces, and of classes.
+const HIT_IDS: [&str; 6] = ["material_class", "specular_hit_id", "occluder_id", "occluder_id_1", "occluder_id_2", "occluder_id_3"];
 
 /// The inputs of one frame by name; those that are `None` are left out.
 pub struct Inputs {
     pub(super) images: Vec<(String, Option<Vec<[f32; 4]>>)>,
     pub(super) surface_id: Option<Vec<u32>>,
-    /// Ids of what rays met.
+    /// Ids of what rays met, and classes.
     hit_ids: Vec<(&'static str, Vec<u32>)>,
     pub(super) transforms: Option<Vec<InstanceTransform>>,
 }

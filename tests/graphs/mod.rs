@@ -9,7 +9,7 @@ pub mod random;
 mod wild;
 
 use super::parity;
-use super::support::{assert_valid, gpu, scene::Scene};
+use super::support::{assert_valid, gpu, materials, scene::Scene};
 use atrous::config::{Conventions, NormalEncoding};
 use atrous::executor::{Session, SessionOptions};
 use atrous::graph::Graph;
@@ -125,7 +125,8 @@ fn params(seed: u32, index: u32) -> FrameParams {
     let exposure_ratio = if index == 1 { 1.5 } else { 1.0 };
     // Without lights: where occluders differ at random, rounding decides which of two samples a shadow is followed by.
     // `parity::moving_shadows` has occluders that do not.
-    FrameParams { jitter, reset, debug_view, exposure_ratio, reshaded: !seed.is_multiple_of(4), ..scene(index).params(index) }
+    let usual = FrameParams { materials: materials(), ..scene(index).params(index) };
+    FrameParams { jitter, reset, debug_view, exposure_ratio, reshaded: !seed.is_multiple_of(4), ..usual }
 }
 
 /// Frames with every transient kept, pass by pass against the twins; frames with aliased transients, which are the same to the bit;

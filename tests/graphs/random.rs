@@ -8,7 +8,7 @@ use atrous::graph::{
 };
 use atrous::nodes::*;
 use atrous::presets::{specular, Specular};
-use atrous::{Config, Declaration};
+use atrous::{Config, Declaration, Setup};
 
 /// The declaration of a seed.
 pub fn declare(seed: u32, extent: [u32; 2]) -> Declaration {
@@ -18,9 +18,14 @@ pub fn declare(seed: u32, extent: [u32; 2]) -> Declaration {
 /// [`declare`] for a host with these conventions.
 pub fn declare_with(seed: u32, extent: [u32; 2], conventions: Conventions) -> Declaration {
     let mut dice = Dice::new(seed);
-    let mut g = Graph::new(extent).frames_in_flight(1 + dice.below(3)).conventions(conventions);
-    // `albedo`, and the exposure below, without a throw of the dice, so that other seeds stay what they were.
-    let guides = g.import(Import { surface_id: dice.coin(), object_normal: dice.coin(), albedo: seed % 4 != 1 });
+    let mut g = Graph::of(Setup { frames_in_flight: 1 + dice.below(3), conventions, ..Setup::new(extent) });
+    // `material_class`, `albedo`, and the exposure below, without a throw of the dice, so that other seeds stay what they were.
+    let guides = g.import(Import {
+        surface_id: dice.coin(),
+        object_normal: dice.coin(),
+        material_class: seed % 5 == 2,
+        albedo: seed % 4 != 1,
+    });
     if seed % 3 == 2 {
         let light = g.radiance("noisy_radiance");
         g.filter_exposure(&[light]);

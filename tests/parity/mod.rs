@@ -14,7 +14,7 @@ mod volume;
 
 use super::sampling::is_sampled;
 use super::support::{
-    assert_valid,
+    self, assert_valid,
     scene::{Guides, Scene},
     session_with, svgf, svgf_tuning, upload,
 };
@@ -39,6 +39,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("reactive_mask", || sequence(&Config { reactive_mask: true, ..Config::new([61, 35]) })),
     ("reactive_mask_two_signals", || sequence(&Config { reactive_mask: true, signals: Signals::Apart, ..svgf([40, 23]) })),
     ("object_normals", || sequence(&Config { object_normal: true, ..svgf([40, 23]) })),
+    ("materials", materials),
     ("without_ids", || sequence(&Config { surface_id: false, ..svgf([40, 23]) })),
     ("one_pixel", || sequence(&svgf([1, 1]))),
     ("a_rect_in_a_larger_image", || sequence_of(&svgf([64, 40]), [37, 21])),
@@ -174,6 +175,14 @@ fn outliers() {
     }
 }
 
+/// Of two signals, of specular light, and of light of fewer pixels.
+fn materials() {
+    let fast = Config { preset: Preset::Fast, material_class: true, ..Config::new([24, 16]) };
+    sequence(&Config { signals: Signals::Apart, ..fast });
+    sequence(&Config { signals: Signals::Specular, ..fast });
+    light::sequence(&Config { light_extent: Some([12, 8]), ..fast });
+}
+
 fn percentile(extent: [u32; 2]) -> Config {
     Config { preset: Preset::Percentile, ..Config::new(extent) }
 }
@@ -229,6 +238,7 @@ fn leave_holes(config: &Config, index: u32, guides: &mut Guides) {
 
 /// One frame, every pass against its twin.
 pub fn run(s: &mut Session, params: &FrameParams, tuning: &Tuning) {
+    let params = &FrameParams { materials: support::materials(), ..*params };
     let declaration = s.executor().denoiser().declaration().clone();
     let mut before = Captured::new();
     let trace = &mut |s: &mut Session, frame: &FrameContext, pass: usize, done: bool| {

@@ -13,7 +13,7 @@ pub use atrous_synthetic::scene::{self, pixels, random, rmse};
 use atrous::config::Preset;
 use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions, Validation};
 use atrous::reference::Engine;
-use atrous::{Config, Declaration, Error, FrameContext, FrameParams, Tuning};
+use atrous::{Config, Declaration, Error, FrameContext, FrameParams, Material, Tuning};
 use scene::Guides;
 use std::cell::{OnceCell, RefCell};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -116,6 +116,23 @@ pub fn upload_traced(session: &mut Session, guides: &Guides, offset: [u32; 2]) {
     if declaration.find("surface_id").is_some() {
         session.upload_ids("surface_id", &guides.surface_id).expect("surface_id");
     }
+    if declaration.find("material_class").is_some() {
+        session.upload_ids("material_class", &classes(declaration.allocated_extent())).expect("material_class");
+    }
+}
+
+/// Numbers of each class of materials; those of class 0 are the usual ones.
+pub fn materials() -> [Material; Material::CLASSES] {
+    std::array::from_fn(|class| {
+        let factor = |salt: usize| [1.0, 0.05, 0.3, 3.0, 20.0][class * salt % 5];
+        let longest_history = if class % 3 == 1 { 2.0 } else { 1024.0 };
+        Material { depth: factor(1), normal: factor(2), light: factor(3), longest_history }
+    })
+}
+
+/// Classes of materials, in squares; some are beyond the table.
+fn classes(extent: [u32; 2]) -> Vec<u32> {
+    pixels(extent).map(|(x, y)| (x / 3 + 8 * (y / 4)) % 19).collect()
 }
 
 /// The texels of an image of light that were traced.
@@ -136,6 +153,10 @@ pub fn upload_part(session: &mut Session, guides: &Guides, origin: [u32; 2]) {
     }
     if declaration.find("surface_id").is_some() {
         session.upload_ids("surface_id", &placed(&declaration, "surface_id", &guides.surface_id, u32::MAX, origin)).expect("ids");
+    }
+    if declaration.find("material_class").is_some() {
+        let classes = classes(declaration.allocated_extent());
+        session.upload_ids("material_class", &placed(&declaration, "material_class", &classes, u32::MAX, origin)).expect("classes");
     }
 }
 
@@ -159,6 +180,9 @@ pub fn upload_to_engine(engine: &mut Engine, guides: &Guides) {
     }
     if declaration.find("surface_id").is_some() {
         engine.upload_ids("surface_id", &guides.surface_id).expect("surface_id");
+    }
+    if declaration.find("material_class").is_some() {
+        engine.upload_ids("material_class", &classes(declaration.allocated_extent())).expect("material_class");
     }
 }
 

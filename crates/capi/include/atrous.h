@@ -40,6 +40,9 @@
 // guide, vector: with Config::object_normal: lets a turning object keep its history
 #define ATROUS_INPUT_OBJECT_NORMAL "object_normal"
 
+// guide, id: with Config::material_class: 0 to 15, an entry of FrameParams::materials
+#define ATROUS_INPUT_MATERIAL_CLASS "material_class"
+
 // guide, number, optional: 0 to 1, perceptual or GGX's α; without it all surfaces are rough. Signals::Specular reads it
 #define ATROUS_INPUT_ROUGHNESS "roughness"
 
@@ -76,7 +79,7 @@
 // guide, id, optional: the surface_id at that hit: with instance_transforms, moving things in mirrors, and moving mirrors, are followed
 #define ATROUS_INPUT_SPECULAR_HIT_ID "specular_hit_id"
 
-// guide, vector, optional: before that id: previous − current place of the hit, world space
+// guide, vector, optional: before that id, where finite: previous − current place of the hit, world space
 #define ATROUS_INPUT_SPECULAR_MOTION "specular_motion"
 
 // change, vector: with Config::forward_motion, for gradients: motion of deforming surfaces from the previous frame to this one
@@ -142,16 +145,16 @@
 // guide, id, optional: the surface_id of the occluder: with instance_transforms and FrameParams::lights, moving shadows are followed
 #define ATROUS_INPUT_OCCLUDER_ID_3 "occluder_id_3"
 
-// guide, vector, optional: instead of ids: previous − current place of the occluding point, world space
+// guide, vector, optional: before ids, where finite: previous − current place of the occluding point, world space
 #define ATROUS_INPUT_OCCLUDER_MOTION "occluder_motion"
 
-// guide, vector, optional: instead of ids: previous − current place of the occluding point, world space
+// guide, vector, optional: before ids, where finite: previous − current place of the occluding point, world space
 #define ATROUS_INPUT_OCCLUDER_MOTION_1 "occluder_motion_1"
 
-// guide, vector, optional: instead of ids: previous − current place of the occluding point, world space
+// guide, vector, optional: before ids, where finite: previous − current place of the occluding point, world space
 #define ATROUS_INPUT_OCCLUDER_MOTION_2 "occluder_motion_2"
 
-// guide, vector, optional: instead of ids: previous − current place of the occluding point, world space
+// guide, vector, optional: before ids, where finite: previous − current place of the occluding point, world space
 #define ATROUS_INPUT_OCCLUDER_MOTION_3 "occluder_motion_3"
 
 // composition, colour, optional: the reflected light without occluders, albedo included; denoised_radiance then has the product
@@ -333,9 +336,10 @@ typedef enum AtrousCounter {
   ATROUS_COUNTER_OCCLUDER_ID = 19,
   ATROUS_COUNTER_OCCLUDER_MOTION = 20,
   ATROUS_COUNTER_SPECULAR_MOTION = 21,
+  ATROUS_COUNTER_MATERIAL_CLASS = 22,
 } AtrousCounter;
 
-#define ATROUS_COUNTER_COUNT 22
+#define ATROUS_COUNTER_COUNT 23
 
 // Nodes for atrous_graph_node with their arguments, of which those in brackets have defaults: Graph and nodes in the
 // documentation of the crate say what each means. A choice is given by its name.
@@ -370,7 +374,7 @@ typedef enum AtrousCounter {
 // debug_view(guides, noisy, [albedo, history, deviation, confidence, gradient, reflection, visibility, percentiles, limits])
 #define ATROUS_NODE_DEBUG_VIEW "debug_view"
 
-// import([surface_id, object_normal, albedo])
+// import([surface_id, object_normal, albedo, material_class])
 #define ATROUS_NODE_IMPORT "import"
 
 // forward_project(guides, [stratum_size, forward_motion, surface_id])
@@ -692,6 +696,11 @@ typedef struct AtrousConfig {
   // `FrameParams::viewport_origin`. What lies outside is neither read nor written. Keep the old content of outputs that
   // you share. None: they have the allocated extent. 0, 0 is none. Default: 0, 0.
   uint32_t image_extent[2];
+  // Whether you give a class of materials per pixel, as the input `material_class`: 0 to 15. Each class has an entry in
+  // `FrameParams::materials`: factors of tolerances and of the filter's strength, and a longest history. They hold where
+  // surfaces are accumulated and in the levels of the filter, not in `Preset::Eaw`. Costs no memory. 0 (false), 1
+  // (true). Default: 0.
+  uint32_t material_class;
 } AtrousConfig;
 
 // The device of the passes. Handles stay yours.
@@ -773,6 +782,9 @@ typedef struct AtrousFrameParams {
   // Width and height of the picture that you show, anchored top left: at most AtrousConfig.output_extent, and 1 to 3 times what is
   // rendered. They may differ from frame to frame. 0, 0: all of it.
   uint32_t output_extent[2];
+  // With AtrousConfig.material_class, four numbers for each of 16 classes: factors of tolerated differences of depth and of normals,
+  // factor of sigma_l, each 0.01 to 100, and the longest history, 1 to 1024 frames. Default: 1, 1, 1, 1024.
+  float materials[64];
 } AtrousFrameParams;
 
 // A buffer for a name.
@@ -1193,7 +1205,7 @@ AtrousStatus atrous_begin_frame(struct AtrousDenoiser *denoiser,
                                 const struct AtrousFrameParams *params,
                                 struct AtrousFrame *frame);
 
-// Begins a graph of your own. Of the configuration it takes the extent, the conventions, frames_in_flight, and the preset whose
+// Begins a graph of your own. Of the configuration it takes the extents, the conventions, frames_in_flight, and the preset whose
 // numbers the tuning begins with. Give the graph to atrous_create or atrous_executor_create, as often as you like; they tell mistakes
 // of the whole, with node and port.
 //

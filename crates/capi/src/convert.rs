@@ -77,6 +77,7 @@ impl AtrousFrameParams {
             lights: matrix(self.lights),
             light_offset: self.light_offset,
             viewport_origin: self.viewport_origin,
+            materials: std::array::from_fn(|class| std::array::from_fn(|i| self.materials[4 * class + i]).into()),
             output_extent: (self.output_extent != [0; 2]).then_some(self.output_extent),
             ..FrameParams::new([self.render_width, self.render_height])
         })
@@ -102,6 +103,7 @@ impl AtrousFrameParams {
             light_offset: [0; 2],
             viewport_origin: [0; 2],
             output_extent: [0; 2],
+            materials: std::array::from_fn(|i| if i % 4 == 3 { 1024.0 } else { 1.0 }),
         }
     }
 }

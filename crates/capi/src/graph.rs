@@ -77,7 +77,7 @@ pub(super) unsafe fn declaration_of(info: &AtrousCreateInfo) -> Result<(Declarat
     }
 }
 
-/// Begins a graph of your own. Of the configuration it takes the extent, the conventions, frames_in_flight, and the preset whose
+/// Begins a graph of your own. Of the configuration it takes the extents, the conventions, frames_in_flight, and the preset whose
 /// numbers the tuning begins with. Give the graph to atrous_create or atrous_executor_create, as often as you like; they tell mistakes
 /// of the whole, with node and port.
 ///
@@ -93,9 +93,7 @@ pub unsafe extern "C" fn atrous_graph_create(config: *const AtrousConfig, graph:
         unsafe {
             graph.write_unaligned(std::ptr::null_mut());
             let config = read("config", config)?.to_config()?;
-            let made = Graph::new(config.allocated_extent).conventions(config.conventions);
-            let made = made.frames_in_flight(config.frames_in_flight);
-            let state = GraphState { graph: made, preset: config.preset, values: BTreeMap::new() };
+            let state = GraphState { graph: Graph::of(config.setup()), preset: config.preset, values: BTreeMap::new() };
             graph.write_unaligned(handle::insert(state));
         }
         Ok(())

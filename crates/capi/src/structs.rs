@@ -135,6 +135,9 @@ pub struct AtrousFrameParams {
     /// Width and height of the picture that you show, anchored top left: at most AtrousConfig.output_extent, and 1 to 3 times what is
     /// rendered. They may differ from frame to frame. 0, 0: all of it.
     pub output_extent: [u32; 2],
+    /// With AtrousConfig.material_class, four numbers for each of 16 classes: factors of tolerated differences of depth and of normals,
+    /// factor of sigma_l, each 0.01 to 100, and the longest history, 1 to 1024 frames. Default: 1, 1, 1, 1024.
+    pub materials: [f32; 64],
 }
 
 /// A frame that was begun. Plain data: copy it as you like.

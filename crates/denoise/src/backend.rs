@@ -2,10 +2,12 @@
 
 use crate::error::{Result, ToolError};
 use crate::frame::FrameInputs;
+use atrous::ash::vk;
 use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions};
 use atrous::reference::Engine;
 use atrous::{
-    Config, DebugView, Declaration, Error, FrameParams, HistoryLoss, HistoryWatch, Input, Lifetime, Shape, Statistics, Tuning,
+    Config, DebugView, Declaration, Error, FrameParams, HistoryLoss, HistoryWatch, ImageFormat, Input, Lifetime, ResourceDecl,
+    Shape, Statistics, Tuning,
 };
 use atrous_lab::pictures::Picture;
 use std::borrow::Cow;
@@ -16,6 +18,8 @@ use std::sync::Arc;
 pub struct FrameOutputs {
     /// Denoised radiance, with albedo and emission.
     pub radiance: Vec<[f32; 3]>,
+    /// Channels of results that are no part of the radiance: visibility of lights, ambient occlusion.
+    pub further: Vec<(String, Vec<f32>)>,
     /// Debug views of the preset, where they were asked for.
     pub views: Vec<(DebugView, Picture)>,
     /// A report that nearly every surface loses its history, once in a run.
@@ -138,6 +142,7 @@ impl Passes {
             let transforms = frame.instance_transforms.as_ref().filter(|_| name == TRANSFORMS);
             let ids = match name.as_str() {
                 "surface_id" => frame.surface_id.as_ref(),
+                "material_class" => frame.material_class.as_ref(),
                 "specular_hit_id" => frame.hit_id.as_ref(),
                 name => {
                     let light = Input::OCCLUDER_ID.iter().position(|input| input.name == name);
@@ -181,6 +186,35 @@ impl Passes {
         }
         Ok(radiance)
     }
+
+    /// Results beside the radiance, channel by channel; none where the picture is larger than what was rendered.
+    fn further(&mut self) -> Result<Vec<(String, Vec<f32>)>> {
+        let declaration = self.runner.declaration();
+        if declaration.find(UPSCALED).is_some() {
+            return Ok(Vec::new());
+        }
+        let is_further = |r: &&ResourceDecl| r.lifetime == Lifetime::Output && FURTHER.iter().any(|name| r.name.starts_with(name));
+        let channels: Vec<_> =
+            declaration.resources().iter().filter(is_further).map(|r| (r.name.clone(), components(r.shape))).collect();
+        let mut further = Vec::new();
+        for (name, components) in channels {
+            let texels = self.runner.download(&name)?;
+            further
+                .extend(components.iter().enumerate().map(|(i, c)| (format!("{name}.{c}"), texels.iter().map(|t| t[i]).collect())));
+        }
+        Ok(further)
+    }
+}
+
+/// Names of outputs beside the radiance begin so.
+const FURTHER: [&str; 2] = ["denoised_visibility", "denoised_ambient"];
+
+/// Components of a result, which has a colour or is one number.
+fn components(shape: Shape) -> &'static [&'static str] {
+    match shape {
+        Shape::Image { format: ImageFormat::Exactly(vk::Format::R32_SFLOAT), .. } => &["Z"],
+        _ => &["R", "G", "B"],
+    }
 }
 
 impl Backend for Passes {
@@ -193,7 +227,7 @@ impl Backend for Passes {
         self.run(frame)?;
         let radiance = self.radiance(frame)?;
         let loss = self.watch.look(&self.runner.statistics()?);
-        let mut outputs = FrameOutputs { radiance, views: Vec::new(), loss };
+        let mut outputs = FrameOutputs { radiance, further: self.further()?, views: Vec::new(), loss };
         if views {
             let extent = self.runner.declaration().allocated_extent();
             for view in self.runner.declaration().debug_views() {
@@ -221,7 +255,7 @@ fn traced<'a, T: Copy>(declaration: &Declaration, name: &str, texels: &'a [T], o
 
 /// Name, shape and whether it is optional, of every input.
 fn inputs(declaration: &Declaration) -> Vec<(String, Shape, bool)> {
-    let input = |r: &atrous::ResourceDecl| match r.lifetime {
+    let input = |r: &ResourceDecl| match r.lifetime {
         Lifetime::Input { optional } => Some((r.name.clone(), r.shape, optional)),
         _ => None,
     };

@@ -3,7 +3,7 @@
 use crate::captured_config::CapturedConfig;
 use crate::error::{Result, ToolError};
 use crate::old_tunables::of_today;
-use atrous::ResetReason;
+use atrous::{Material, ResetReason};
 use serde::{Deserialize, Deserializer};
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -35,6 +35,8 @@ pub struct Camera {
     pub lights: [[f32; 4]; 4],
     /// The pixel of the guides in each cell that light of fewer pixels was traced for.
     pub offset: [u32; 2],
+    /// Numbers of the classes of materials.
+    pub materials: [Material; Material::CLASSES],
     /// Tunables that are not those of the sequence.
     pub tuning: BTreeMap<String, f32>,
 }
@@ -92,6 +94,8 @@ struct JsonFrame {
     #[serde(default)]
     offset: [u32; 2],
     #[serde(default)]
+    materials: Option<[[f32; 4]; Material::CLASSES]>,
+    #[serde(default)]
     tuning: BTreeMap<String, f32>,
 }
 
@@ -144,6 +148,7 @@ pub fn parse(path: &Path, text: &str) -> Result<SequenceFile> {
             reshaded: frame.reshaded,
             lights: frame.lights,
             offset: frame.offset,
+            materials: frame.materials.map_or([Material::default(); Material::CLASSES], |all| all.map(Material::from)),
             tuning: of_today(frame.tuning).map_err(problem)?,
         };
         if cameras.insert(number, camera).is_some() {

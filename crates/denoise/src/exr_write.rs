@@ -46,6 +46,8 @@ pub struct Content<'a> {
     pub radiance: &'a [[f32; 3]],
     /// Alpha of the input.
     pub alpha: Option<&'a [f32]>,
+    /// Channels of results beside the radiance, by name.
+    pub further: &'a [(String, Vec<f32>)],
     /// The input, where its other channels are kept.
     pub kept: Option<&'a Path>,
 }
@@ -101,7 +103,7 @@ fn without_the_rest(shared: &mut ImageAttributes, own: &mut LayerAttributes) {
 }
 
 fn result(content: &Content<'_>, part: usize) -> std::result::Result<Channels, String> {
-    let &Content { header, names, radiance, alpha, .. } = content;
+    let &Content { header, names, radiance, alpha, further, .. } = content;
     let mut list = Channels::new();
     let mut add = |name: &str, values: &mut dyn Iterator<Item = f32>| {
         let name = Text::new_or_none(name).ok_or_else(|| format!("`{name}` is no name for a channel"))?;
@@ -124,6 +126,9 @@ fn result(content: &Content<'_>, part: usize) -> std::result::Result<Channels, S
     }
     if let (Some(name), Some(alpha)) = (&names.alpha, alpha) {
         add(name, &mut alpha.iter().copied())?;
+    }
+    for (name, values) in further {
+        add(name, &mut values.iter().copied())?;
     }
     Ok(list)
 }

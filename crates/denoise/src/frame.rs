@@ -43,6 +43,8 @@ pub struct FrameInputs {
     pub instance_transforms: Option<Vec<InstanceTransform>>,
     /// Surface ids.
     pub surface_id: Option<Vec<u32>>,
+    /// Classes of materials.
+    pub material_class: Option<Vec<u32>>,
     /// Surface ids of what is seen in the surfaces.
     pub hit_id: Option<Vec<u32>>,
     /// Surface ids of what casts the shadows.
@@ -93,6 +95,7 @@ pub fn load(files: &FrameFiles, setup: &Setup) -> Result<FrameInputs> {
     let noisy = channels.total(&images);
     let alpha = channels.scalars(Role::Alpha);
     let reference = channels.vectors(Role::Reference).map(rgb);
+    let material_class = channels.classes();
     let replaced = channels.replaced;
     if noisy.len() != setup.pixels() {
         return Err(ToolError::exr(&files.colour, "its channels do not cover the picture"));
@@ -115,6 +118,7 @@ pub fn load(files: &FrameFiles, setup: &Setup) -> Result<FrameInputs> {
         instance_transforms: transforms(&files.colour)?,
         images,
         surface_id,
+        material_class,
         hit_id,
         occluder_ids,
         noisy,
@@ -214,6 +218,7 @@ fn params(setup: &Setup, camera: Option<&Camera>) -> FrameParams {
         params.reset = camera.reset;
         params.reshaded = camera.reshaded;
         params.lights = camera.lights;
+        params.materials = camera.materials;
     }
     if setup.stills {
         params.reset = params.reset.or(Some(ResetReason::CameraCut));

@@ -261,26 +261,35 @@ impl Channels<'_> {
         self.ids(Role::OccluderId(light), images.get(Input::OCCLUDER_DISTANCE[light].name)?, |distance| distance > 0.0)
     }
 
+    /// Classes of materials, as they are.
+    pub fn classes(&mut self) -> Option<Vec<u32>> {
+        self.whole_numbers(Role::MaterialClass)
+    }
+
     /// Only this project's data sets keep 0 free for what has no id, which is told by its distance elsewhere.
     fn ids(&mut self, role: Role, distances: &Texels, has_id: impl Fn(f32) -> bool) -> Option<Vec<u32>> {
-        let name = self.setup.mapping.roles.get(&role)?.first()?;
-        let mut ids = match self.samples.get(name)? {
-            Samples::Uint(ids) => ids.clone(),
-            Samples::Float(ids) => {
-                let bad = ids.iter().filter(|v| !v.is_finite()).count();
-                if bad > 0 {
-                    self.replaced.insert(role, bad);
-                }
-                // The cast saturates, and NaN becomes 0.
-                ids.iter().map(|v| v.round() as u32).collect()
-            }
-        };
+        let mut ids = self.whole_numbers(role)?;
         if self.setup.mapping.layout != Layout::Atrous {
             for (id, distance) in ids.iter_mut().zip(distances) {
                 *id = if has_id(distance[0]) { id.saturating_add(1) } else { 0 };
             }
         }
         Some(ids)
+    }
+
+    fn whole_numbers(&mut self, role: Role) -> Option<Vec<u32>> {
+        let name = self.setup.mapping.roles.get(&role)?.first()?;
+        Some(match self.samples.get(name)? {
+            Samples::Uint(numbers) => numbers.clone(),
+            Samples::Float(numbers) => {
+                let bad = numbers.iter().filter(|v| !v.is_finite()).count();
+                if bad > 0 {
+                    self.replaced.insert(role, bad);
+                }
+                // The cast saturates, and NaN becomes 0.
+                numbers.iter().map(|v| v.round() as u32).collect()
+            }
+        })
     }
 
     pub fn total(&mut self, images: &BTreeMap<&'static str, Texels>) -> Vec<[f32; 3]> {

@@ -118,6 +118,7 @@ pub const ENTRIES: &[Entry] = &[
     entry(Role::PreviousDepth, &[Atrous], &["prevz"], DEPTH),
     entry(Role::Id, &[Blender], &["indexob", "object index"], ID),
     of(Role::Id, Input::SURFACE_ID, ID),
+    of(Role::MaterialClass, Input::MATERIAL_CLASS, ID),
     of(Role::Roughness, Input::ROUGHNESS, DEPTH),
     entry(Role::Reference, &[], &["ref", "reference"], RGB),
     entry(Role::ReshadeDirect, &[Atrous], &["reshade_direct"], RGB),

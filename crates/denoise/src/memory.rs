@@ -188,7 +188,7 @@ fn images(setup: &Setup) -> u64 {
 
 /// Images of ids: see [`crate::frame::FrameInputs`].
 fn ids(setup: &Setup) -> u64 {
-    let roles = [Role::Id, Role::HitId].into_iter().chain((0..4).map(Role::OccluderId));
+    let roles = [Role::Id, Role::MaterialClass, Role::HitId].into_iter().chain((0..4).map(Role::OccluderId));
     roles.map(|role| u64::from(setup.mapping.has(role))).sum()
 }
 
@@ -198,8 +198,11 @@ fn filter(setup: &Setup, demands: &Demands) -> Result<u64> {
     let pixels = setup.pixels() as u64;
     let inputs = (TEXEL * images(setup) + 4 * ids(setup)) * pixels;
     let memory = declaration.memory();
-    // Results on their way out: as bytes, as floats, and as colours.
-    let passing = (2 * TEXEL + COLOUR) * setup.result_pixels() as u64;
+    // Results on their way out: as bytes, as floats, and as colours. Those beside the radiance as samples, in a file, and compressed.
+    let config = &setup.config;
+    let beside =
+        u64::from(config.visibility) * if config.coloured_visibility { 3 } else { 1 } + u64::from(config.ambient_occlusion);
+    let passing = (2 * TEXEL + COLOUR) * setup.result_pixels() as u64 + 3 * 4 * beside * pixels;
     Ok(match demands.reference {
         // The CPU has four floats where a device has four halves, and writes beside what it reads.
         true => inputs + 2 * (memory.history + memory.output + memory.transient) + 2 * TEXEL * pixels + passing,

@@ -55,6 +55,8 @@ pub enum Role {
     PreviousDepth,
     /// Stable id per instance.
     Id,
+    /// Class of the material at the first hit.
+    MaterialClass,
     /// Roughness at the first hit.
     Roughness,
     /// Converged image, for the score.
@@ -156,6 +158,7 @@ const ROLES: &[(Role, &str, Kind, &str)] = &[
     (Role::MotionDepth, "motion_depth", Kind::Scalar, ""),
     (Role::PreviousDepth, "previous_depth", Kind::Scalar, ""),
     (Role::Id, "id", Kind::Id, "objects at equal depth and orientation are not told apart in the history"),
+    (Role::MaterialClass, "material_class", Kind::Id, ""),
     (Role::Roughness, "roughness", Kind::Scalar, ""),
     (Role::Reference, "reference", Kind::Colour, ""),
     (Role::ReshadeDirect, "reshade_direct", Kind::Colour, ""),

@@ -163,6 +163,7 @@ impl Sink for Saver {
         let is = |frame: Option<u64>| frame == Some(finished.inputs.number);
         let (in_strip, in_report) = (is(self.wanted.strip), is(self.wanted.report));
         let filtered = finished.outputs.as_mut().map(|o| std::mem::take(&mut o.radiance));
+        let further = finished.outputs.as_mut().map(|o| std::mem::take(&mut o.further)).unwrap_or_default();
         let radiance = match (finished.step.action, filtered) {
             (Action::Write, Some(mut radiance)) => {
                 self.bad_results += clean(&mut radiance);
@@ -174,7 +175,7 @@ impl Sink for Saver {
                     None => (&frame.header, frame.alpha.as_deref()),
                 };
                 let kept = self.wanted.keeps_layers.then_some(finished.step.files.colour.as_path());
-                let content = Content { header, names: channels, record, radiance: &radiance, alpha, kept };
+                let content = Content { header, names: channels, record, radiance: &radiance, alpha, further: &further, kept };
                 exr_write::write(&finished.step.output, *existing, &content)?;
                 self.written += 1;
                 self.pictures(&finished, &radiance)?;

@@ -112,6 +112,7 @@ impl Setup {
         config.light_extent = self.light_extent;
         config.surface_id = mapping.has(Role::Id);
         config.object_normal = mapping.has(Role::ObjectNormal);
+        config.material_class = mapping.has(Role::MaterialClass);
         config.gradient_source = gradient_source(mapping);
         if let Some(file) = &self.sequence {
             file.config.apply(&mut config);

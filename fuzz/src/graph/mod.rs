@@ -11,7 +11,7 @@ use crate::{Choices, Outcome};
 use atrous::config::{Config, Conventions, EawWeights};
 use atrous::graph::Graph;
 use atrous::nodes::Import;
-use atrous::{Choice, Declaration, Error};
+use atrous::{Choice, Declaration, Error, Setup};
 use mistakes::{Mistake, MISTAKES};
 use shelf::Shelf;
 
@@ -114,6 +114,7 @@ fn configured(choices: &mut Choices<'_>) -> Result<Declaration, Error> {
         light_extent: choices.one_in(4).then(|| allocated_extent.map(|side| side / 2)),
         image_extent: choices.one_in(4).then(|| extent(choices)),
         reactive_mask: choices.one_in(2),
+        material_class: choices.one_in(2),
         coloured_visibility: choices.one_in(2),
         ambient_occlusion: choices.one_in(2),
         conventions: conventions(choices),
@@ -128,14 +129,19 @@ fn configured(choices: &mut Choices<'_>) -> Result<Declaration, Error> {
 /// A graph of the bytes. `share`: whether transients may lie in the images of outputs. `mistake` is made behind everything else.
 fn composed(choices: &mut Choices<'_>, share: bool, mistake: Option<&Mistake>) -> Result<Declaration, Error> {
     let extent = extent(choices);
-    let mut g = Graph::new(extent).frames_in_flight(number(choices, 2)).share_outputs(share);
-    let guides = g.import(Import { surface_id: true, object_normal: choices.one_in(2), albedo: choices.one_in(2) });
+    let mut g = Graph::of(Setup { frames_in_flight: number(choices, 2), ..Setup::new(extent) }).share_outputs(share);
+    let guides = g.import(Import {
+        surface_id: true,
+        object_normal: choices.one_in(2),
+        material_class: choices.one_in(2),
+        albedo: choices.one_in(2),
+    });
     let noisy = g.radiance("noisy_radiance");
     let mut shelf = Shelf::new(guides, noisy);
     if choices.one_in(16) {
         // What another graph has is none of this one's business.
         let mut other = Graph::new(extent);
-        shelf.guides.push(other.import(Import { surface_id: true, object_normal: false, albedo: true }));
+        shelf.guides.push(other.import(Import::default()));
         shelf.radiance.push(other.radiance("noisy_radiance"));
     }
     for _ in 0..2 + choices.below(14) {

@@ -104,7 +104,7 @@ fn an_optional_binding_that_is_wired_has_a_use_and_a_bit() {
 #[test]
 fn a_constant_is_set_by_its_name() {
     let declaration = finish(|pass, _| pass.constant("OURS", 1).constant("KERNEL", 2)).expect("it fits");
-    assert_eq!(declaration.passes()[1].dispatch().expect("a dispatch").constants, [(1, 2), (3, 1)]);
+    assert_eq!(declaration.passes()[1].dispatch().expect("a dispatch").constants, [(0, 0b1_1111), (1, 2), (3, 1)]);
 }
 
 #[test]

@@ -196,7 +196,27 @@ fn numbers_out_of_range_are_refused() {
     g.forward_project(&guides, ForwardProject { stratum_size: 9, ..ForwardProject::default() });
     assert_names(&refusal(g), &["node `forward_project`", "port `stratum_size`", "9 pixels", "2 to 4"]);
     assert!(matches!(Graph::new([0, 4]).finish(), Err(Error::Extent { .. })));
-    assert!(matches!(Graph::new([4, 4]).frames_in_flight(9).finish(), Err(Error::Config { name: "frames_in_flight", .. })));
+    assert!(matches!(
+        Graph::of(Setup { frames_in_flight: 9, ..Setup::new([4, 4]) }).finish(),
+        Err(Error::Config { name: "frames_in_flight", .. })
+    ));
+}
+
+#[test]
+fn a_graph_has_the_extents_of_a_setup() {
+    let setup = Setup { image_extent: Some([40, 30]), output_extent: None, ..Setup::new([16, 8]) };
+    let mut g = Graph::of(setup);
+    let guides = g.import(Import::default());
+    let noisy = g.radiance("noisy_radiance");
+    let irradiance = g.demodulate(&guides, &noisy, Demodulate::default());
+    let radiance = g.modulate(&guides, &irradiance, Modulate::default());
+    g.output("denoised_radiance", &radiance);
+    let declaration = g.finish().expect("valid");
+    assert_eq!(declaration.setup(), &setup);
+    for (name, extent) in [("depth", [40, 30]), ("denoised_radiance", [40, 30]), ("guide", [16, 8])] {
+        let id = declaration.find(name).expect(name);
+        assert_eq!(declaration.resource(id).extent(&setup), Some(extent), "{name}");
+    }
 }
 
 #[test]

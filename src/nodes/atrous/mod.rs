@@ -107,6 +107,7 @@ impl Graph {
                 .value("volume_sigma_z", UNREAD)
                 .bind("guide", guides.guide)
                 .bind("depth_gradient", guides.depth_gradient)
+                .bind_some("material_class", guides.material_class)
                 .bind_some("reflection", atrous.reflection.map(|reflection| reflection.image))
         })
     }

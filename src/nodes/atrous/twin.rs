@@ -105,7 +105,7 @@ fn filter(
                     LuminanceWeight::Published => variance_beside(rect, image, p),
                     LuminanceWeight::OfMeans => variance_of_taps(rect, image, p, step, shown),
                 });
-                Sum::new(centre(i), variance.sqrt(), level.luminance_weight, geometry.sigma_l)
+                Sum::new(centre(i), variance.sqrt(), level.luminance_weight, geometry.sigma_l(p))
             });
             for (offset, q) in rect.window(p, level.kernel.radius(), step) {
                 let weight = level.kernel.weight(offset.x, offset.y) * shown(q);
@@ -214,6 +214,10 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let geometry = match b.is_on("VOLUME")? {
         true => Geometry::of_volume(b.frame, b.tuning, guide),
         false => Geometry::new(b.frame, b.tuning, guide, b.uint("depth_gradient")?),
+    };
+    let geometry = match b.optional_uint("material_class")? {
+        Some(classes) => geometry.with_materials(b.frame, b.tuning, classes),
+        None => geometry,
     };
     let kernel = Kernel::try_from(b.constant("KERNEL")?)?;
     let luminance_weight = if b.is_on("OURS")? { LuminanceWeight::OfMeans } else { LuminanceWeight::Published };

@@ -9,7 +9,7 @@ use crate::contract::{Input, Lifetime, Phase};
 use crate::graph::{Graph, Guides, Motion, RenderedGuides, PACKED_32, PACKED_64};
 use crate::shaders;
 
-/// Parameters of the node `import`. [`Graph::conventions`] has the encodings of your images.
+/// Parameters of the node `import`. [`crate::Setup::conventions`] has the encodings of your images.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Import {
     /// Whether you have an image `surface_id`. Default: true.
@@ -17,13 +17,15 @@ pub struct Import {
     /// Whether you have an image `object_normal`, by which a turning object keeps its history.
     /// Costs 8 bytes per pixel. Default: false.
     pub object_normal: bool,
+    /// Whether you have an image `material_class`, by whose numbers pixels are accumulated and filtered. Default: false.
+    pub material_class: bool,
     /// Whether light is divided by your image `albedo`, so that surfaces too dark to divide it are kept apart. Default: true.
     pub albedo: bool,
 }
 
 impl Default for Import {
     fn default() -> Self {
-        Self { surface_id: true, object_normal: false, albedo: true }
+        Self { surface_id: true, object_normal: false, material_class: false, albedo: true }
     }
 }
 
@@ -31,7 +33,7 @@ impl Graph {
     /// Packs your depth, normal, roughness, id and motion.
     ///
     /// Inputs: `depth`, `normal`; optional `motion`, `roughness`, `instance_transforms`; as [`Import`] says `surface_id`,
-    /// `object_normal`, optional `albedo`.
+    /// `object_normal`, `material_class`, optional `albedo`.
     pub fn import(&mut self, import: Import) -> Guides {
         let node = self.node("import", "");
         let guide = self.named_image("guide", "", PACKED_64, 1, Lifetime::Transient);
@@ -63,10 +65,11 @@ impl Graph {
         self.add(pass);
         let [guide, surface_motion, depth_gradient] = [guide, surface_motion, depth_gradient].map(|image| self.refreshed(image));
         let object_normal = object_normal.map(|image| self.refreshed(image));
+        let material_class = import.material_class.then(|| self.input(Input::MATERIAL_CLASS));
         let rendered = match self.has_light_extent() {
             true => self.rendered_guides(import),
             false => RenderedGuides { guide, motion: Motion::Stored(surface_motion) },
         };
-        Guides { guide, surface_motion, depth_gradient, object_normal, rendered }
+        Guides { guide, surface_motion, depth_gradient, object_normal, material_class, rendered }
     }
 }

@@ -65,6 +65,7 @@ impl Graph {
             .each_previous("previous_luminance_history", history.luminance_history())
             .each("irradiance", irradiance.images())
             .each("new_luminance", history.new_luminance())
+            .bind_some("material_class", guides.material_class)
             .bind_some("history_confidence", accumulation.confidence.map(|confidence| confidence.image()));
         if let Some(ratio) = accumulation.light_ratio {
             pass = pass.constant("STRATUM_SIZE", ratio.stratum_size).bind("light_ratio", ratio.image);

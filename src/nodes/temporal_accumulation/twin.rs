@@ -3,9 +3,11 @@
 use crate::reference::conventions::is_reset;
 use crate::reference::guide::{unpack_guide, Surface};
 use crate::reference::luminance_history::{pack_luminance_history, unpack_luminance_history, LuminanceHistory, Reason};
+use crate::reference::material::{class_of, tuning_at};
 use crate::reference::nearest_history::SignalHistory;
 use crate::reference::octahedral::octahedral10_to_normal;
 use crate::reference::projection::extent_ratio;
+use crate::reference::statistics::count;
 use crate::reference::surface_motion::{unpack_depth_gradient, unpack_surface_motion, SurfaceMotion};
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Counter, FrameConstants, Statistics, Tuning};
@@ -67,6 +69,8 @@ pub(crate) struct TemporalAccumulationInputs<'a> {
     pub irradiance: &'a [&'a Image<[f32; 4]>],
     /// Object normals, where the host gives them.
     pub object_normals: Option<ObjectNormals<'a>>,
+    /// Classes of materials, where the host gives them.
+    pub material_class: Option<&'a Image<u32>>,
     /// Confidence from `history_confidence`, `percentile_rule` or `change_test`: alpha rises where it is below 1 \[ASVGF 3.5\].
     pub history_confidence: Option<&'a Image<f32>>,
     /// Repair of disocclusions, and a history as long as the confidence says \[PSVGF\].
@@ -138,22 +142,28 @@ pub(crate) fn temporal_accumulation(
             inputs.object_normals.map_or(surface, |n| Surface { normal: octahedral10_to_normal(n.previous.at(p)), ..surface })
         })
     });
+    let tuning_of = |p| tuning_at(frame, tuning, inputs.material_class, p);
     let histories = Image::compute(extent, frame.render_extent, |p| {
         let surface = unpack_guide(inputs.guide.at(p));
         match &surfaces {
             _ if surface.is_background() => History::Background,
-            Some(surfaces) => reprojected(frame, tuning, inputs, surface, p).history(surfaces, inputs.repair, inputs.sharp),
+            Some(surfaces) => reprojected(frame, &tuning_of(p), inputs, surface, p).history(surfaces, inputs.repair, inputs.sharp),
             None => History::Disoccluded(Reason::Reset),
         }
     });
     let mut outputs =
         TemporalAccumulationOutputs { irradiance: Vec::new(), luminance_history: Vec::new(), statistics: Statistics::default() };
     histories.texels().iter().filter_map(History::counter).for_each(|counter| outputs.statistics[counter] += 1);
+    if let Some(classes) = inputs.material_class {
+        let is_bad = |p| !unpack_guide(inputs.guide.at(p)).is_background() && class_of(frame, classes, p).1;
+        let bad = Image::compute(extent, frame.render_extent, is_bad);
+        outputs.statistics[Counter::MaterialClass] = count(bad.texels().iter().copied());
+    }
     for (i, irradiance) in inputs.irradiance.iter().enumerate() {
         let signal = previous.and_then(|previous| previous.signals.get(i));
         let texels = Image::compute(extent, frame.render_extent, |p| {
             let change = inputs.history_confidence.map_or(0.0, |confidence| 1.0 - confidence.at(p));
-            let bounds = AlphaBounds::new(tuning, inputs.history_confidence.is_some(), inputs.repair, change);
+            let bounds = AlphaBounds::new(&tuning_of(p), inputs.history_confidence.is_some(), inputs.repair, change);
             let ratio = inputs.light_ratio.map_or([1.0; 3], |ratio| light::ratio_at(frame, ratio, p));
             let (c, luminance_history) = accumulate(frame, irradiance.at(p), histories.at(p), bounds, signal, ratio);
             (c, pack_luminance_history(&luminance_history))

@@ -81,7 +81,7 @@ macro_rules! nodes {
 
 nodes! {
     regular {
-        import() Import { flag surface_id, flag object_normal, flag albedo };
+        import() Import { flag surface_id, flag object_normal, flag albedo, flag material_class };
         forward_project(port guides) ForwardProject { number stratum_size, flag forward_motion, flag surface_id };
         demodulate(port guides, port noisy) Demodulate { choice albedo, choice sampling, optional gradient, optional samples };
         fill_holes(port guides, port irradiance) [choice sampling];

@@ -22,6 +22,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("volumes_are_replayed", volumes_are_replayed),
     ("transforms_and_changing_tunables_are_replayed", transforms_and_changing_tunables_are_replayed),
     ("hit_ids_are_replayed", hit_ids_are_replayed),
+    ("classes_of_materials_are_replayed", classes_of_materials_are_replayed),
     ("moving_shadows_are_replayed", moving_shadows_are_replayed),
     ("four_coloured_lights_are_replayed", four_coloured_lights_are_replayed),
     ("ambient_occlusion_is_replayed", ambient_occlusion_is_replayed),
@@ -46,7 +47,7 @@ pub fn capture(folder: &Path, config: &Config, tuning: &Tuning, scene: &Scene, c
             tuning: *tuning,
             images: Vec::new(),
             transforms: None,
-            hit_ids: None,
+            ids: None,
         };
         change(i, &mut inputs);
         upload(&mut s, &inputs.guides);
@@ -57,7 +58,7 @@ pub fn capture(folder: &Path, config: &Config, tuning: &Tuning, scene: &Scene, c
             s.upload_buffer("instance_transforms", bytemuck::cast_slice(transforms)).expect("transforms");
             s.unbind("motion").expect("unbound");
         }
-        if let Some((name, ids)) = &inputs.hit_ids {
+        if let Some((name, ids)) = &inputs.ids {
             s.upload_ids(name, ids).expect(name);
         }
         if s.executor().denoiser().declaration().find("emission").is_some() && config.signals == Signals::Together {
@@ -88,7 +89,7 @@ pub struct Inputs {
     tuning: Tuning,
     images: Vec<(&'static str, Vec<[f32; 4]>)>,
     transforms: Option<Vec<InstanceTransform>>,
-    hit_ids: Option<(&'static str, Vec<u32>)>,
+    ids: Option<(&'static str, Vec<u32>)>,
 }
 
 pub fn load(folder: &Path) -> (Setup, Vec<frame::FrameInputs>) {
@@ -319,13 +320,28 @@ fn hit_ids_are_replayed() {
             let mut moved = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
             moved[0][3] = 0.3;
             inputs.transforms = Some(vec![moved; 8]);
-            inputs.hit_ids = ids.then(|| ("specular_hit_id", hit_ids(i)));
+            inputs.ids = ids.then(|| ("specular_hit_id", hit_ids(i)));
         })
     };
     let [with, without] = [(); 2].map(|()| tempfile::tempdir().expect("a folder"));
     let pictures = frames(with.path(), true);
     assert!(pictures != frames(without.path(), false), "ids change nothing, so nothing was tested");
     assert_replays(with.path(), &pictures);
+}
+
+/// Classes, of which one is beyond the table, and the numbers of one, which change: what the frames give depends on them.
+fn classes_of_materials_are_replayed() {
+    let config = Config { preset: Preset::Svgf, material_class: true, ..Config::new(EXTENT) };
+    let frames = |folder: &Path, light: f32| {
+        capture(folder, &config, &Tuning::default(), &Scene::new(EXTENT), |i, inputs| {
+            inputs.ids = Some(("material_class", (0..EXTENT[0] * EXTENT[1]).map(|k| (k / 7 + i) % 18).collect()));
+            inputs.params.materials[3] = [1.0, 1.0, if i % 2 == 0 { light } else { 1.0 }, 3.0].into();
+        })
+    };
+    let [with, without] = [(); 2].map(|()| tempfile::tempdir().expect("a folder"));
+    let pictures = frames(with.path(), 0.1);
+    assert!(pictures != frames(without.path(), 1.0), "classes change nothing, so nothing was tested");
+    assert_same_bits(with.path(), &pictures);
 }
 
 /// Things that cast shadows, and a lamp, that move: what the frames give depends on each.
@@ -337,7 +353,7 @@ fn moving_shadows_are_replayed() {
             let mut moved = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
             moved[0][3] = 0.05;
             inputs.transforms = Some(vec![moved; 8]);
-            inputs.hit_ids = (left_out != "ids").then(|| ("occluder_id", hit_ids(i)));
+            inputs.ids = (left_out != "ids").then(|| ("occluder_id", hit_ids(i)));
             if left_out != "lights" {
                 inputs.params.lights[0] = [0.004 * i as f32, 0.8, 0.6, 0.0];
             }

@@ -2,7 +2,7 @@
 
 use crate::samples::{denoise, frame_path, limited, program, sequence, Sample, Type};
 use atrous_denoise::error::ToolError;
-use atrous_denoise::exr_read::read_header;
+use atrous_denoise::exr_read::{read, read_header, Samples};
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -143,4 +143,31 @@ fn results_have_the_size_that_is_asked_for() {
     assert!(error.to_string().contains("output_extent"), "{error}");
     let error = denoise(input.path(), folder().path(), &sized("200x45")).expect_err("too large").to_string();
     assert!(error.contains("[200, 45]") && error.contains("1 to 3"), "{error}");
+}
+
+/// Visibility and ambient occlusion, each with one value everywhere, which the filter leaves as it is.
+#[test]
+fn results_beside_the_picture_have_layers_of_their_own() {
+    for (visibility, layers) in [("visibility.Z", &["Z"][..]), ("visibility.R visibility.G visibility.B", &["R", "G", "B"])] {
+        let (input, output) = (folder(), folder());
+        for number in 0..2 {
+            let sample = crate::samples::frame(number).flat("ambient.Z", Type::Float, 0.75).flat(visibility, Type::Float, 0.25);
+            let sample = sample.flat("ambient_distance.Z occluder_distance.Z", Type::Float, 1.0);
+            sample.write(&frame_path(input.path(), number));
+        }
+        denoise(input.path(), output.path(), &["--preset", "eaw", "--float"]).expect("a run");
+        let planes = read(&frame_path(output.path(), 1), |_| true).expect("a frame").samples;
+        let is = |name: &str, value: f32| match planes.get(name) {
+            Some(Samples::Float(texels)) => texels.iter().all(|v| (v - value).abs() < 1e-2),
+            _ => panic!("{name} is not among {:?}", planes.keys()),
+        };
+        assert!(is("denoised_ambient.Z", 0.75));
+        assert!(layers.iter().all(|layer| is(&format!("denoised_visibility.{layer}"), 0.25)));
+        assert!(!planes.keys().any(|name| name.starts_with("denoised_radiance")));
+        // What is larger than they are does not have them.
+        let larger = folder();
+        denoise(input.path(), larger.path(), &["--preset", "eaw", "--output-size", "64x36"]).expect("a run");
+        let header = read_header(&frame_path(larger.path(), 1)).expect("a frame");
+        assert!(!header.channels.iter().any(|channel| channel.name.starts_with("denoised_")));
+    }
 }

@@ -164,6 +164,7 @@ fn a_rough_surface_without_hit_distance_is_as_diffuse_light() {
             depth_gradient: &wall.guides.depth_gradient,
             irradiance: &[&wall.noisy],
             object_normals: None,
+            material_class: None,
             history_confidence: None,
             repair: false,
             sharp: false,

@@ -56,6 +56,7 @@ fn surfaces(b: &Bindings, irradiance: &[&Image<[f32; 4]>], previous: PreviousFra
         depth_gradient: b.uint("depth_gradient")?,
         irradiance,
         object_normals: normals.map(|(current, previous)| ObjectNormals { current, previous }),
+        material_class: b.optional_uint("material_class")?,
         history_confidence: b.optional_scalar("history_confidence")?,
         repair: b.is_on("REPAIR")?,
         sharp: b.is_on("SHARP")?,

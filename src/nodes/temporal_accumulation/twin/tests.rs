@@ -36,6 +36,7 @@ pub(super) fn inputs<'a>(guides: &'a Guides, irradiance: &'a [&'a Image<[f32; 4]
         depth_gradient: &guides.depth_gradient,
         irradiance,
         object_normals: None,
+        material_class: None,
         history_confidence: None,
         repair: false,
         sharp: false,

@@ -15,6 +15,7 @@ fn asking_for(input: &Input) -> Config {
     let everything = Config {
         preset: Preset::Asvgf,
         object_normal: true,
+        material_class: true,
         forward_motion: true,
         volume: true,
         visibility: 4,
@@ -55,7 +56,7 @@ fn counted(counter: Counter, input: &Input, is_bad: bool) -> u32 {
             let texel = if is_bad { [f32::NAN; 4] } else { usual };
             let count = (width * height) as usize;
             match other.kind {
-                InputKind::Id => engine.upload_ids(other.name, &vec![if is_bad { 2 } else { 1 }; count]).expect(other.name),
+                InputKind::Id => engine.upload_ids(other.name, &vec![if is_bad { 99 } else { 1 }; count]).expect(other.name),
                 _ => engine.upload(other.name, &vec![texel; count]).expect(other.name),
             }
         }
