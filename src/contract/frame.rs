@@ -89,7 +89,8 @@ pub struct FrameParams {
     /// With [`crate::Config::material_class`], the numbers of each class. It may differ from frame to frame, and resets nothing.
     /// Default: those of [`Tuning`] for every class.
     #[cfg_attr(feature = "serde", serde(default))]
-    pub materials: [Material; Material::CLASSES],
+    // `Material::CLASSES` by its number: the compiler fails on `FrameParams { .., ..params }` in a closure otherwise (rustc 1.95).
+    pub materials: [Material; 16],
 }
 
 /// The exposure ratio of a file that has none.

@@ -181,7 +181,12 @@ impl Shelf {
             16 | 17 => self.stage(g, choices, &COPY)?,
             18 => self.stage(g, choices, &MIX)?,
             _ => {
-                let import = Import { surface_id: choices.one_in(2), object_normal: choices.one_in(2), albedo: choices.one_in(2) };
+                let import = Import {
+                    surface_id: choices.one_in(2),
+                    object_normal: choices.one_in(2),
+                    albedo: choices.one_in(2),
+                    ..Import::default()
+                };
                 let guides = g.import(import);
                 self.images.extend([guides.guide, guides.surface_motion, guides.depth_gradient]);
                 self.guides.push(guides);
