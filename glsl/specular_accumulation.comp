@@ -132,7 +132,7 @@ const float ENOUGH_HITS = 4.0;
 const float FEWEST_ROWS = 6.0;
 // Pixels of a corner of 3x3 that tell a thing beside its place, and how much more than by chance corners must differ.
 const float FEWEST_IN_CORNER = 4.0;
-const float BEYOND_CHANCE = 3.0;
+const float BEYOND_CHANCE = 8.0;
 
 // Of light that is mixed, the share that a lobe explains where nobody says how much base and coat reflect.
 const float UNKNOWN_SHARE = 0.5;

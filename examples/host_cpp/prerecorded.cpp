@@ -75,7 +75,7 @@ int main() {
     CHECK(executor.create(info));
     LentInputs inputs(engine, slots);
     const VkFormat format = VK_FORMAT_R16G16B16A16_SFLOAT;
-    const Physical denoised = engine.create_image(format, synthetic::width, synthetic::height, VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
+    const Physical denoised = engine.create_image(format, synthetic::width, synthetic::height, VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
     AtrousLentImage output{sizeof output, format, "denoised_radiance", denoised.image, denoised.view, synthetic::width, synthetic::height};
     output.layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, output.stage = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
     output.access = VK_ACCESS_2_TRANSFER_READ_BIT;

@@ -1,6 +1,6 @@
 //! The text of `sequence.json`: see docs/specification/exr.md for its keys.
 
-use crate::config::{Config, Conventions};
+use crate::config::{Config, Conventions, Signals};
 use crate::contract::{FrameParams, Material, ResetReason, Tuning};
 use serde::Serialize;
 use serde_json::{Error, Map, Value};
@@ -94,8 +94,10 @@ impl Head {
             Some(config) => serde_json::from_value(serde_json::to_value(Config { levels: Some(config.levels()), ..*config })?)?,
             None => Map::new(),
         };
-        // Signals and guides a replay sees by the channels.
-        fields.retain(|name, _| Config::FIELDS.iter().any(|field| field.is_of_filter && field.name == name));
+        // Guides a replay sees by the channels, and signals, but for one that two kinds of light share.
+        let is_mixed = config.is_some_and(|config| config.signals == Signals::Mixed);
+        let is_told = |name: &str| name == "signals" && is_mixed;
+        fields.retain(|name, _| is_told(name) || Config::FIELDS.iter().any(|field| field.is_of_filter && field.name == name));
         fields.extend(extents.into_iter().filter_map(|(name, extent)| Some((name.to_owned(), extent?.to_vec().into()))));
         Ok(Self {
             config: serde_json::to_string(&fields)?,

@@ -20,7 +20,7 @@ const STABLE: [(&str, u32, &str); 18] = [
     ("Preset", 0, "svgf asvgf stabilize percentile eaw volume fast best"),
     ("RoughnessEncoding", 0, "linear alpha"),
     ("Sampling", 0, "full one_of_2x2 one_of_4x4"),
-    ("Signals", 0, "together apart specular"),
+    ("Signals", 0, "together apart specular mixed"),
     ("ViewForward", 0, "negative_z positive_z"),
     (
         "DebugView",

@@ -1,4 +1,4 @@
-// Albedo and normals from Bevy's deferred G-buffer.
+// Albedo of both lobes, roughness and normals from Bevy's deferred G-buffer.
 // Layout: bevy_pbr 0.20, src/deferred: base colour as its 2.2nd root and roughness; emission; reflectance, metallic, occlusion, clearcoat;
 // octahedral normal of 24 bits and flags.
 
@@ -6,6 +6,8 @@
 @group(0) @binding(1) var depth: texture_depth_2d;
 @group(0) @binding(2) var albedo: texture_storage_2d<rgba16float, write>;
 @group(0) @binding(3) var normal: texture_storage_2d<rgba16float, write>;
+// Of the specular lobe; alpha: perceptual roughness.
+@group(0) @binding(4) var specular: texture_storage_2d<rgba16float, write>;
 
 fn octahedral_normal(bits: u32) -> vec3<f32> {
     let folded = vec2(f32(bits & 0xfffu), f32((bits >> 12u) & 0xfffu)) / 4095.0 * 2.0 - 1.0;
@@ -21,15 +23,19 @@ fn unpack(@builtin(global_invocation_id) id: vec3<u32>) {
     if textureLoad(depth, id.xy, 0) == 0.0 {
         textureStore(albedo, id.xy, vec4(1.0));
         textureStore(normal, id.xy, vec4(0.5, 0.5, 1.0, 0.0));
+        textureStore(specular, id.xy, vec4(0.0, 0.0, 0.0, 1.0));
         return;
     }
     let texel = textureLoad(gbuffer, id.xy, 0);
-    let base = pow(unpack4x8unorm(texel.r).rgb, vec3(2.2));
+    let packed_base = unpack4x8unorm(texel.r);
+    let base = pow(packed_base.rgb, vec3(2.2));
     let properties = unpack4x8unorm(texel.b);
     let reflectance = properties.r;
     let metallic = properties.g;
-    // Light is one signal: its albedo is that of both lobes. A dielectric reflects 16 % of the squared reflectance when seen head-on.
+    // A dielectric reflects 16 % of the squared reflectance when seen head-on.
+    let diffuse = base * (1.0 - metallic);
     let reflected = mix(vec3(0.16 * reflectance * reflectance), base, metallic);
-    textureStore(albedo, id.xy, vec4(min(base * (1.0 - metallic) + reflected, vec3(1.0)), 0.0));
+    textureStore(albedo, id.xy, vec4(diffuse, 0.0));
+    textureStore(specular, id.xy, vec4(min(reflected, 1.0 - diffuse), packed_base.a));
     textureStore(normal, id.xy, vec4(octahedral_normal(texel.a) * 0.5 + 0.5, 0.0));
 }

@@ -12,7 +12,8 @@
 //! # }
 //! ```
 //!
-//! Guides are Bevy's prepass as it is. Normals and albedo come from the deferred G-buffer, where the camera has one.
+//! Guides are Bevy's prepass as it is. Normals, albedo and roughness come from the deferred G-buffer, where the camera has one: with
+//! the roughness, reflections are followed where they move (`Signals::Mixed`).
 
 mod shaders;
 mod view;
@@ -22,7 +23,7 @@ pub use view::{conventions, DenoiseSystems, ViewDenoiser};
 use atrous::config::Preset;
 use atrous::{DebugView, Tuning};
 use bevy::camera::{CameraMainTextureUsages, Hdr};
-use bevy::core_pipeline::prepass::{DepthPrepass, MotionVectorPrepass};
+use bevy::core_pipeline::prepass::{DeferredPrepass, DepthPrepass, MotionVectorPrepass};
 use bevy::core_pipeline::{Core3d, Core3dSystems};
 use bevy::ecs::lifecycle::HookContext;
 use bevy::ecs::world::DeferredWorld;
@@ -87,6 +88,10 @@ fn prepare_camera(mut world: DeferredWorld, context: HookContext) {
     }
 }
 
+/// The camera has the deferred G-buffer, in the render world.
+#[derive(Component)]
+struct Deferred;
+
 /// See [`Denoise`].
 pub struct DenoisePlugin;
 
@@ -110,18 +115,22 @@ impl Plugin for DenoisePlugin {
 }
 
 fn extract(mut main_world: ResMut<MainWorld>, mut commands: Commands) {
-    let mut cameras = main_world.query::<(RenderEntity, &Camera, Option<&mut Denoise>)>();
-    for (entity, camera, denoise) in cameras.iter_mut(&mut main_world) {
+    let mut cameras = main_world.query::<(RenderEntity, &Camera, Has<DeferredPrepass>, Option<&mut Denoise>)>();
+    for (entity, camera, is_deferred, denoise) in cameras.iter_mut(&mut main_world) {
         let Ok(mut rendered) = commands.get_entity(entity) else { continue };
         match denoise.filter(|_| camera.is_active) {
             Some(mut denoise) => {
                 rendered.insert(denoise.clone());
+                match is_deferred {
+                    true => rendered.insert(Deferred),
+                    false => rendered.remove::<Deferred>(),
+                };
                 if denoise.reset || denoise.capture.is_some() {
                     (denoise.reset, denoise.capture) = (false, None);
                 }
             }
             None => {
-                rendered.remove::<(Denoise, ViewDenoiser)>();
+                rendered.remove::<(Denoise, Deferred, ViewDenoiser)>();
             }
         }
     }

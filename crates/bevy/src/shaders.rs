@@ -1,4 +1,4 @@
-//! The plugin's own shaders: albedo and normals from Bevy's deferred G-buffer, and copies of the prepass for captures.
+//! The plugin's own shaders: albedo, roughness and normals from Bevy's deferred G-buffer, and copies of the prepass for captures.
 
 use bevy::prelude::*;
 use bevy::render::renderer::RenderDevice;
@@ -19,13 +19,14 @@ impl Shaders {
         world.insert_resource(Self { unpack, copy });
     }
 
-    /// Writes albedo and normals of each pixel: linear; xyz·0.5 + 0.5, world space.
+    /// Writes albedo of the base, normal, and albedo of the specular lobe with the roughness of each pixel: linear; xyz·0.5 + 0.5, world
+    /// space; linear and perceptual.
     pub fn unpack(
         &self,
         device: &wgpu::Device,
         encoder: &mut wgpu::CommandEncoder,
         [gbuffer, depth]: [&TextureView; 2],
-        written: [&Texture; 2],
+        written: [&Texture; 3],
     ) {
         run(&self.unpack, device, encoder, &[gbuffer, depth], &written);
     }

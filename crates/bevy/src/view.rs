@@ -1,8 +1,8 @@
 //! The denoiser of a camera in the render world, and its phases.
 
 use crate::shaders::Shaders;
-use crate::{Capture, Denoise, Source};
-use atrous::config::{Config, Conventions, DepthEncoding, MotionDirection, NormalEncoding, Preset};
+use crate::{Capture, Deferred, Denoise, Source};
+use atrous::config::{Channel, Config, Conventions, DepthEncoding, MotionDirection, NormalEncoding, Preset, Signals};
 use atrous::{FrameContext, FrameParams, Phase, ResetReason, Tuning};
 use atrous_wgpu::WgpuDenoiser;
 use bevy::core_pipeline::prepass::ViewPrepassTextures;
@@ -21,10 +21,11 @@ pub struct ViewDenoiser {
     made_for: MadeFor,
     /// Linear radiance; a path tracer writes it in [`DenoiseSystems::PathTrace`]. `Rgba16Float`.
     pub noisy: wgpu::Texture,
-    /// Linear albedo of the surfaces; likewise, unless the camera has the deferred G-buffer. `Rgba16Float`.
+    /// Linear albedo of the surfaces; likewise, unless the camera has the deferred G-buffer, which has that of the base here.
+    /// `Rgba16Float`.
     pub albedo: wgpu::Texture,
-    /// From the deferred G-buffer.
-    normal: Option<wgpu::Texture>,
+    /// With the deferred G-buffer: normals, and albedo of the specular lobe with the roughness.
+    unpacked: Option<[wgpu::Texture; 2]>,
     /// Of depth, normal and motion, while they are captured.
     copies: Option<[wgpu::Texture; 3]>,
     /// Matrices of the frame.
@@ -49,6 +50,8 @@ pub fn conventions() -> Conventions {
         depth: DepthEncoding::Device,
         normal: NormalEncoding::XyzUnorm,
         motion_direction: MotionDirection::CurrentMinusPrevious,
+        // Of the specular albedo.
+        roughness_channel: Channel::A,
         ..Conventions::default()
     }
 }
@@ -59,13 +62,16 @@ struct MadeFor {
     extent: [u32; 2],
     preset: Preset,
     shows_views: bool,
+    /// The roughness of the deferred G-buffer tells what is mirrored in the light of both lobes.
+    has_roughness: bool,
 }
 
 impl MadeFor {
     /// The prepass has no ids: edges are found by depth and normals.
     fn config(self) -> Config {
-        let Self { extent, preset, shows_views } = self;
-        Config { preset, surface_id: false, conventions: conventions(), debug_view: shows_views, ..Config::new(extent) }
+        let Self { extent, preset, shows_views, has_roughness } = self;
+        let signals = if has_roughness { Signals::Mixed } else { Signals::Together };
+        Config { preset, signals, surface_id: false, conventions: conventions(), debug_view: shows_views, ..Config::new(extent) }
     }
 }
 
@@ -100,7 +106,14 @@ impl ViewDenoiser {
         let [noisy, albedo] = ["noisy radiance", "albedo"].map(|label| texture(device, label, extent, TextureFormat::Rgba16Float));
         denoiser.set_input("noisy_radiance", &noisy)?;
         denoiser.set_input("albedo", &albedo)?;
-        Ok(Self { denoiser, frame: None, made_for, noisy, albedo, normal: None, copies: None, params: FrameParams::new(extent) })
+        let unpacked = made_for.has_roughness.then(|| {
+            ["normal", "specular albedo"].map(|label| texture(device, label, extent, TextureFormat::Rgba16Float))
+        });
+        if let Some([_, specular]) = &unpacked {
+            denoiser.set_input("specular_albedo", specular)?;
+            denoiser.set_input("roughness", specular)?;
+        }
+        Ok(Self { denoiser, frame: None, made_for, noisy, albedo, unpacked, copies: None, params: FrameParams::new(extent) })
     }
 
     /// Gives the guides of the prepass to the denoiser: those of the deferred G-buffer unpacked, and all as copies while they are
@@ -117,14 +130,13 @@ impl ViewDenoiser {
             return Err("a camera with `Denoise` needs DepthPrepass and MotionVectorPrepass".into());
         };
         let (device, extent) = (context.render_device().wgpu_device().clone(), self.made_for.extent);
-        let normal = match (prepass.deferred_view(), &prepass.normal) {
-            (Some(gbuffer), _) => {
-                let normal = self.normal.get_or_insert_with(|| texture(&device, "normal", extent, TextureFormat::Rgba16Float));
-                shaders.unpack(&device, context.command_encoder(), [gbuffer, depth_view], [&self.albedo, normal]);
-                &*normal
+        let normal = match (prepass.deferred_view(), &self.unpacked, &prepass.normal) {
+            (Some(gbuffer), Some([normal, specular]), _) => {
+                shaders.unpack(&device, context.command_encoder(), [gbuffer, depth_view], [&self.albedo, normal, specular]);
+                normal
             }
-            (None, Some(normal)) => &normal.texture.texture,
-            (None, None) => return Err("a camera with `Denoise` needs NormalPrepass or DeferredPrepass".into()),
+            (_, None, Some(normal)) => &normal.texture.texture,
+            _ => return Err("a camera with `Denoise` needs NormalPrepass or DeferredPrepass".into()),
         };
         let guides = [("depth", &*depth.texture.texture), ("normal", normal), ("motion", &*motion.texture.texture)];
         if !is_captured && self.denoiser.frames_to_capture() == 0 {
@@ -149,9 +161,9 @@ impl ViewDenoiser {
 pub fn prepare(
     mut commands: Commands,
     device: Res<RenderDevice>,
-    views: Query<(Entity, &Denoise, &ExtractedView, &ViewTarget, Option<&ViewDenoiser>)>,
+    views: Query<(Entity, &Denoise, &ExtractedView, &ViewTarget, Has<Deferred>, Option<&ViewDenoiser>)>,
 ) -> Result<(), BevyError> {
-    for (entity, asked, view, target, known) in &views {
+    for (entity, asked, view, target, has_roughness, known) in &views {
         let texture = target.main_texture();
         let (size, usage) = (texture.size(), texture.usage());
         let needed = crate::main_texture_usages();
@@ -170,7 +182,7 @@ pub fn prepare(
             .into());
         }
         let extent = [size.width, size.height];
-        let made_for = MadeFor { extent, preset: asked.preset, shows_views: asked.debug_view.is_some() };
+        let made_for = MadeFor { extent, preset: asked.preset, shows_views: asked.debug_view.is_some(), has_roughness };
         if known.is_none_or(|known| known.made_for != made_for) {
             commands.entity(entity).insert(ViewDenoiser::new(device.wgpu_device(), made_for)?);
         }

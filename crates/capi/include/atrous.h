@@ -43,7 +43,7 @@
 // guide, id: with Config::material_class: 0 to 15, an entry of FrameParams::materials
 #define ATROUS_INPUT_MATERIAL_CLASS "material_class"
 
-// guide, number, optional: 0 to 1, perceptual or GGX's α; without it all surfaces are rough. Signals::Specular reads it
+// guide, number, optional: 0 to 1, perceptual or GGX's α; without it surfaces are rough. Signals::Specular and Mixed read it
 #define ATROUS_INPUT_ROUGHNESS "roughness"
 
 // composition, colour, optional: radiance is divided by it and multiplied again, so textures stay sharp
@@ -52,7 +52,7 @@
 // composition, colour, optional: added after the filter
 #define ATROUS_INPUT_EMISSION "emission"
 
-// signal, colour: all light in one signal, linear (Signals::Together)
+// signal, colour: all light in one signal, linear (Signals::Together, Mixed)
 #define ATROUS_INPUT_NOISY_RADIANCE "noisy_radiance"
 
 // signal, colour: direct light, linear (Signals::Apart)

@@ -9,10 +9,10 @@ use serde_json::{Map, Value};
 /// Fields of older captures that choose nothing any more: the picture is the same without.
 const WITHOUT_EFFECT: [&str; 1] = ["block_sort"];
 
-/// Sizes that the files do not have themselves.
-const EXTENTS: [&str; 2] = ["light_extent", "output_extent"];
+/// Sizes, and signals, that the files do not tell themselves.
+const UNTOLD: [&str; 3] = ["light_extent", "output_extent", "signals"];
 
-/// Fields of the configuration that choose the filter. Every one may be left out. Signals and guides are seen by the channels.
+/// Fields of the configuration that choose the filter. Every one may be left out. Guides and most signals are seen by the channels.
 #[derive(Clone, Debug, Default)]
 pub struct CapturedConfig {
     /// Filter.
@@ -44,7 +44,7 @@ impl<'de> Deserialize<'de> for CapturedConfig {
         let mut others = Map::deserialize(deserializer)?;
         others.retain(|name, value| !value.is_null() && !WITHOUT_EFFECT.contains(&name.as_str()));
         let fields = || Config::FIELDS.iter().filter(|field| field.is_of_filter).map(|field| field.name);
-        let known = || fields().chain(EXTENTS);
+        let known = || fields().chain(UNTOLD);
         if let Some(name) = others.keys().find(|name| known().all(|known| known != name.as_str())) {
             let known: Vec<_> = known().map(|name| format!("`{name}`")).collect();
             return Err(D::Error::custom(format!("unknown field `{name}`, expected one of {}", known.join(", "))));

@@ -131,7 +131,9 @@ impl Setup {
         // A capture says so itself.
         config.coloured_visibility |=
             captured.is_none() && mapping.roles.get(&Role::Visibility(0)).is_some_and(|names| names.len() > 1);
-        config.signals = signals(mapping, config.preset, signals_wished)?;
+        // Of a capture, roles tell all others; a host need not have the roughness.
+        let is_told = captured.is_some() && config.signals == Signals::Mixed;
+        config.signals = if is_told { Signals::Mixed } else { signals(mapping, config.preset, signals_wished)? };
         config.conventions = conventions::of_layout(mapping);
         let mut scales = Scales::default();
         let mut report = describe(mapping, &config);

@@ -114,10 +114,10 @@ fn configured(choices: &mut Choices<'_>) -> Result<Declaration, Error> {
         light_extent: choices.one_in(4).then(|| allocated_extent.map(|side| side / 2)),
         image_extent: choices.one_in(4).then(|| extent(choices)),
         reactive_mask: choices.one_in(2),
-        material_class: choices.one_in(2),
         coloured_visibility: choices.one_in(2),
         ambient_occlusion: choices.one_in(2),
         conventions: conventions(choices),
+        material_class: choices.one_in(2),
     };
     let declaration = config.declare()?;
     let text = serde_json::to_string(&config).expect("it is valid");

@@ -54,7 +54,7 @@ const ENOUGH_HITS: f32 = 4.0;
 const FEWEST_ROWS: f32 = 6.0;
 /// Pixels of a corner of 3×3 that tell a thing beside its place, and how much more than by chance corners must differ.
 const FEWEST_IN_CORNER: f32 = 4.0;
-const BEYOND_CHANCE: f32 = 2.0;
+const BEYOND_CHANCE: f32 = 8.0;
 
 /// Depths to a thing whose hit distance nobody knows: what is far away, or in a curved mirror, is seen next to where this is.
 const UNKNOWN_REACH: f32 = 1e4;
