@@ -6,8 +6,10 @@
 @group(0) @binding(1) var depth: texture_depth_2d;
 @group(0) @binding(2) var albedo: texture_storage_2d<rgba16float, write>;
 @group(0) @binding(3) var normal: texture_storage_2d<rgba16float, write>;
-// Of the specular lobe; alpha: perceptual roughness.
+// Albedo of the specular lobe.
 @group(0) @binding(4) var specular: texture_storage_2d<rgba16float, write>;
+// Perceptual.
+@group(0) @binding(5) var roughness: texture_storage_2d<r32float, write>;
 
 fn octahedral_normal(bits: u32) -> vec3<f32> {
     let folded = vec2(f32(bits & 0xfffu), f32((bits >> 12u) & 0xfffu)) / 4095.0 * 2.0 - 1.0;
@@ -23,7 +25,8 @@ fn unpack(@builtin(global_invocation_id) id: vec3<u32>) {
     if textureLoad(depth, id.xy, 0) == 0.0 {
         textureStore(albedo, id.xy, vec4(1.0));
         textureStore(normal, id.xy, vec4(0.5, 0.5, 1.0, 0.0));
-        textureStore(specular, id.xy, vec4(0.0, 0.0, 0.0, 1.0));
+        textureStore(specular, id.xy, vec4(0.0));
+        textureStore(roughness, id.xy, vec4(1.0));
         return;
     }
     let texel = textureLoad(gbuffer, id.xy, 0);
@@ -36,6 +39,7 @@ fn unpack(@builtin(global_invocation_id) id: vec3<u32>) {
     let diffuse = base * (1.0 - metallic);
     let reflected = mix(vec3(0.16 * reflectance * reflectance), base, metallic);
     textureStore(albedo, id.xy, vec4(diffuse, 0.0));
-    textureStore(specular, id.xy, vec4(min(reflected, 1.0 - diffuse), packed_base.a));
+    textureStore(specular, id.xy, vec4(min(reflected, 1.0 - diffuse), 0.0));
+    textureStore(roughness, id.xy, vec4(packed_base.a));
     textureStore(normal, id.xy, vec4(octahedral_normal(texel.a) * 0.5 + 0.5, 0.0));
 }

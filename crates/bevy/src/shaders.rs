@@ -19,14 +19,14 @@ impl Shaders {
         world.insert_resource(Self { unpack, copy });
     }
 
-    /// Writes albedo of the base, normal, and albedo of the specular lobe with the roughness of each pixel: linear; xyz·0.5 + 0.5, world
-    /// space; linear and perceptual.
+    /// Writes of each pixel: linear albedo of the base; normal, xyz·0.5 + 0.5, world space; linear albedo of the specular lobe; perceptual
+    /// roughness.
     pub fn unpack(
         &self,
         device: &wgpu::Device,
         encoder: &mut wgpu::CommandEncoder,
         [gbuffer, depth]: [&TextureView; 2],
-        written: [&Texture; 3],
+        written: [&Texture; 4],
     ) {
         run(&self.unpack, device, encoder, &[gbuffer, depth], &written);
     }

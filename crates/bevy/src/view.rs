@@ -2,7 +2,7 @@
 
 use crate::shaders::Shaders;
 use crate::{Capture, Deferred, Denoise, Source};
-use atrous::config::{Channel, Config, Conventions, DepthEncoding, MotionDirection, NormalEncoding, Preset, Signals};
+use atrous::config::{Config, Conventions, DepthEncoding, MotionDirection, NormalEncoding, Preset, Signals};
 use atrous::{FrameContext, FrameParams, Phase, ResetReason, Tuning};
 use atrous_wgpu::WgpuDenoiser;
 use bevy::core_pipeline::prepass::ViewPrepassTextures;
@@ -24,8 +24,8 @@ pub struct ViewDenoiser {
     /// Linear albedo of the surfaces; likewise, unless the camera has the deferred G-buffer, which has that of the base here.
     /// `Rgba16Float`.
     pub albedo: wgpu::Texture,
-    /// With the deferred G-buffer: normals, and albedo of the specular lobe with the roughness.
-    unpacked: Option<[wgpu::Texture; 2]>,
+    /// With the deferred G-buffer: normal, albedo of the specular lobe, roughness.
+    unpacked: Option<[wgpu::Texture; 3]>,
     /// Of depth, normal and motion, while they are captured.
     copies: Option<[wgpu::Texture; 3]>,
     /// Matrices of the frame.
@@ -50,8 +50,6 @@ pub fn conventions() -> Conventions {
         depth: DepthEncoding::Device,
         normal: NormalEncoding::XyzUnorm,
         motion_direction: MotionDirection::CurrentMinusPrevious,
-        // Of the specular albedo.
-        roughness_channel: Channel::A,
         ..Conventions::default()
     }
 }
@@ -107,11 +105,12 @@ impl ViewDenoiser {
         denoiser.set_input("noisy_radiance", &noisy)?;
         denoiser.set_input("albedo", &albedo)?;
         let unpacked = made_for.has_roughness.then(|| {
-            ["normal", "specular albedo"].map(|label| texture(device, label, extent, TextureFormat::Rgba16Float))
+            let formats = [TextureFormat::Rgba16Float, TextureFormat::Rgba16Float, TextureFormat::R32Float];
+            formats.map(|format| texture(device, "unpacked G-buffer", extent, format))
         });
-        if let Some([_, specular]) = &unpacked {
+        if let Some([_, specular, roughness]) = &unpacked {
             denoiser.set_input("specular_albedo", specular)?;
-            denoiser.set_input("roughness", specular)?;
+            denoiser.set_input("roughness", roughness)?;
         }
         Ok(Self { denoiser, frame: None, made_for, noisy, albedo, unpacked, copies: None, params: FrameParams::new(extent) })
     }
@@ -131,8 +130,9 @@ impl ViewDenoiser {
         };
         let (device, extent) = (context.render_device().wgpu_device().clone(), self.made_for.extent);
         let normal = match (prepass.deferred_view(), &self.unpacked, &prepass.normal) {
-            (Some(gbuffer), Some([normal, specular]), _) => {
-                shaders.unpack(&device, context.command_encoder(), [gbuffer, depth_view], [&self.albedo, normal, specular]);
+            (Some(gbuffer), Some([normal, specular, roughness]), _) => {
+                let written = [&self.albedo, normal, specular, roughness];
+                shaders.unpack(&device, context.command_encoder(), [gbuffer, depth_view], written);
                 normal
             }
             (_, None, Some(normal)) => &normal.texture.texture,
