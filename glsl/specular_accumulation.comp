@@ -130,9 +130,6 @@ const float FEW_HITS = 2.0;
 const float ENOUGH_HITS = 4.0;
 // Three in a row that tell how white noise is.
 const float FEWEST_ROWS = 6.0;
-// Pixels of a corner of 3x3 that tell a thing beside its place, and how much more than by chance corners must differ.
-const float FEWEST_IN_CORNER = 4.0;
-const float BEYOND_CHANCE = 8.0;
 
 // Of light that is mixed, the share that a lobe explains where nobody says how much base and coat reflect.
 const float UNKNOWN_SHARE = 0.5;
@@ -257,17 +254,11 @@ struct LogDifference {
     int row;          // of how many pixels to the left
     float bends;      // squared second differences of now
     float triples;
-    vec4 corners;     // sums over the corners of 3x3, which share the middle
-    vec4 in_corners;  // pixels of each
 };
 
-void add_pair(inout LogDifference logs, ivec2 offset, float now, float past) {
-    float weight = max(abs(offset.x), abs(offset.y)) < AGREEMENT_REACH ? 1.0 : RING_WEIGHT;
+void add_pair(inout LogDifference logs, float now, float past, float weight) {
     logs.sum += weight * (now - past);
     logs.weights += vec2(weight, weight * weight);
-    vec4 corner = vec4(offset.x <= 0, offset.x >= 0, offset.x <= 0, offset.x >= 0) * vec4(offset.y <= 0, offset.y <= 0, offset.y >= 0, offset.y >= 0);
-    logs.corners += corner * (now - past);
-    logs.in_corners += corner;
     if (logs.row >= 2) {
         float bend = now - 2.0 * logs.before.y + logs.before.x;
         logs.bends += bend * bend;
@@ -278,8 +269,7 @@ void add_pair(inout LogDifference logs, ivec2 offset, float now, float past) {
 }
 
 // Frames until the error of a past is as large as the noise of a sample, both as ratios of light. Rare light has noise without bounds by this
-// measure, and a highlight, which is smooth as a ratio, next to none. A highlight a pixel aside leaves the mean as it is: corners that differ tell.
-// `hits`: the share of samples that brought the light of the past.
+// measure, and a highlight, which is smooth as a ratio, next to none. `hits`: the share of samples that brought the light of the past.
 float frames_by_logs(LogDifference logs, float hits) {
     if (logs.triples < FEWEST_ROWS) return 65504.0;
     float noise = logs.bends / (6.0 * logs.triples), difference = logs.sum / logs.weights.x;
@@ -287,13 +277,7 @@ float frames_by_logs(LogDifference logs, float hits) {
     float missed = clamp((hits * pixels - FEW_HITS) / (ENOUGH_HITS - FEW_HITS), 0.0, 1.0);
     float outside = max(max(difference, -(difference + LOG_BIAS * noise) * missed), 0.0);
     float error = max(outside - sqrt(noise / pixels + LOG_ROUNDED), 0.0);
-    vec4 known = vec4(greaterThanEqual(logs.in_corners, vec4(FEWEST_IN_CORNER))), share = known / max(logs.in_corners, 1.0);
-    float chance = (noise + LOG_ROUNDED) * (share.x + share.y + share.z + share.w);
-    vec4 means = logs.corners * share;
-    float corners = max(dot(known, vec4(1.0)), 1.0);
-    means = known * (means - dot(means, vec4(1.0)) / corners);
-    float aside = dot(means, means) - BEYOND_CHANCE * chance;
-    return (noise + LOG_NOISE) / max(max(error * error, aside / corners * min(hits * pixels / FEW_HITS, 1.0)), 1e-9);
+    return (noise + LOG_NOISE) / max(error * error, 1e-9);
 }
 
 // Frames that a past is worth by the light of now around a position: by the mean difference over 5x5 pixels in standard errors, of the channel
@@ -304,7 +288,7 @@ float frames_by_light(Centre c, vec2 position, Past past, float agrees, bool by_
     ivec2 shift = ivec2(floor(position + 0.5)) - c.mirror.p;
     vec3 sum = vec3(0.0), squares = vec3(0.0);
     float count = 0.0, dark = DARK * luminance(light.irradiance) + 1e-6;
-    LogDifference logs = LogDifference(0.0, vec2(0.0), vec2(0.0), 0, 0.0, 0.0, vec4(0.0), vec4(0.0));
+    LogDifference logs = LogDifference(0.0, vec2(0.0), vec2(0.0), 0, 0.0, 0.0);
     [[dont_unroll]] for (int i = 0; i < AGREEMENT_SIDE * AGREEMENT_SIDE; ++i) {
         ivec2 offset = ivec2(i % AGREEMENT_SIDE, i / AGREEMENT_SIDE) - AGREEMENT_REACH, q = c.mirror.p + offset, before = q + shift;
         if (offset.x == -AGREEMENT_REACH) logs.row = 0;
@@ -320,7 +304,8 @@ float frames_by_light(Centre c, vec2 position, Past past, float agrees, bool by_
         squares += difference * difference;
         count += 1.0;
         if (!by_logs) continue;
-        add_pair(logs, offset, log2(luminance(value.rgb) + dark), log2(luminance(then) + dark));
+        float weight = max(abs(offset.x), abs(offset.y)) < AGREEMENT_REACH ? 1.0 : RING_WEIGHT;
+        add_pair(logs, log2(luminance(value.rgb) + dark), log2(luminance(then) + dark), weight);
     }
     if (count < FEWEST_AGREEING) return past.frames;
     vec3 mean = sum / count, rounded = ROUNDED * light.irradiance;

@@ -19,7 +19,8 @@ macro_rules! config_fields {
                 /// Filter. Default: [`Preset::Best`].
                 preset: filter choice Preset = Preset::default();
                 /// Signals. Together: one image, `noisy_radiance`. Apart: `noisy_direct` and `noisy_indirect`.
-                /// Specular: `noisy_diffuse` and `noisy_specular`. Default: [`Signals::Together`].
+                /// Specular: `noisy_diffuse` and `noisy_specular`. Mixed: `noisy_radiance`, by `roughness`. Default:
+                /// [`Signals::Together`].
                 signals: host choice Signals = Signals::default();
                 /// À-trous levels, 1 to 10; none: those of the preset, [`Preset::levels`]. Default: none.
                 levels: filter number_or_none Option<u32> = None;

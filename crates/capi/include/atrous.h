@@ -610,7 +610,8 @@ typedef struct AtrousConfig {
   // Filter. 0 (svgf), 1 (asvgf), 2 (stabilize), 3 (percentile), 4 (eaw), 5 (volume), 6 (fast), 7 (best). Default: 7.
   uint32_t preset;
   // Signals. Together: one image, `noisy_radiance`. Apart: `noisy_direct` and `noisy_indirect`. Specular: `noisy_diffuse`
-  // and `noisy_specular`. 0 (together), 1 (apart), 2 (specular), 3 (mixed). Default: 0.
+  // and `noisy_specular`. Mixed: `noisy_radiance`, by `roughness`. 0 (together), 1 (apart), 2 (specular), 3 (mixed).
+  // Default: 0.
   uint32_t signals;
   // À-trous levels, 1 to 10; none: those of the preset, `Preset::levels`. 0 is none. Default: 0.
   uint32_t levels;

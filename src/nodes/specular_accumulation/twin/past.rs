@@ -52,9 +52,6 @@ const FEW_HITS: f32 = 2.0;
 const ENOUGH_HITS: f32 = 4.0;
 /// Three in a row that tell how white noise is.
 const FEWEST_ROWS: f32 = 6.0;
-/// Pixels of a corner of 3×3 that tell a thing beside its place, and how much more than by chance corners must differ.
-const FEWEST_IN_CORNER: f32 = 4.0;
-const BEYOND_CHANCE: f32 = 8.0;
 
 /// Depths to a thing whose hit distance nobody knows: what is far away, or in a curved mirror, is seen next to where this is.
 const UNKNOWN_REACH: f32 = 1e4;
@@ -128,8 +125,8 @@ fn of_light([r, g, b]: [f32; 3]) -> f32 {
 }
 
 /// Frames until the error of a past is as large as the noise of a sample, both as ratios of light. Rare light has noise without bounds by
-/// this measure, and a highlight, which is smooth as a ratio, next to none. A highlight a pixel aside leaves the mean as it is: corners
-/// that differ tell. `logs`: by offset, of now and of the past. `hits`: the share of samples that brought the light of the past.
+/// this measure, and a highlight, which is smooth as a ratio, next to none. `logs`: by offset, of now and of the past.
+/// `hits`: the share of samples that brought the light of the past.
 fn frames_by_logs(logs: &[(IVec2, [f32; 2])], hits: f32) -> f32 {
     let now_at = |at: IVec2| logs.iter().find(|(offset, _)| *offset == at).map(|(_, [now, _])| *now);
     let rows = logs.iter().filter_map(|(offset, [now, _])| {
@@ -154,24 +151,7 @@ fn frames_by_logs(logs: &[(IVec2, [f32; 2])], hits: f32) -> f32 {
     let missed = ((hits * pixels - FEW_HITS) / (ENOUGH_HITS - FEW_HITS)).clamp(0.0, 1.0);
     let outside = difference.max(-(difference + LOG_BIAS * noise) * missed).max(0.0);
     let error = (outside - (noise / pixels + LOG_ROUNDED).sqrt()).max(0.0);
-    (noise + LOG_NOISE) / (error * error).max(aside(logs, noise) * (hits * pixels / FEW_HITS).min(1.0)).max(1e-9)
-}
-
-/// By how much corners of 3×3, which share the middle, differ beyond chance: their variance.
-fn aside(logs: &[(IVec2, [f32; 2])], noise: f32) -> f32 {
-    let (mut means, mut chance) = (Vec::new(), 0.0);
-    for corner in [IVec2::new(-1, -1), IVec2::new(1, -1), IVec2::new(-1, 1), IVec2::new(1, 1)] {
-        let within = logs.iter().filter(|(offset, _)| (*offset * corner).min_element() >= 0);
-        let (count, sum) = within.fold((0.0, 0.0), |(count, sum), (_, [now, then])| (count + 1.0, sum + now - then));
-        if count >= FEWEST_IN_CORNER {
-            means.push(sum / count);
-            chance += BEYOND_CHANCE * (noise + LOG_ROUNDED) / count;
-        }
-    }
-    let corners = f32::max(means.len() as f32, 1.0);
-    let mean = means.iter().sum::<f32>() / corners;
-    let apart: f32 = means.iter().map(|own| (own - mean).powi(2)).sum();
-    (apart - chance) / corners
+    (noise + LOG_NOISE) / (error * error).max(1e-9)
 }
 
 impl Scene<'_> {

@@ -254,14 +254,6 @@ fn a_highlight_that_left_drops_its_past() {
 }
 
 #[test]
-fn a_highlight_a_pixel_aside_shortens_its_past() {
-    let highlight = |x: i32| 16.0 * (-0.5 * (x - 12) as f32).exp2().min((0.5 * (x - 12) as f32).exp2());
-    let (stays, moves) =
-        (of_unknown_light(0.0, 16.0, highlight, highlight).0, of_unknown_light(0.0, 16.0, |x| highlight(x - 1), highlight).0);
-    assert!(stays > 90.0 && moves < 5.0, "at its place {stays} frames, a pixel aside {moves}");
-}
-
-#[test]
 fn a_lobe_takes_the_distance_of_its_surroundings_and_a_mirror_its_own() {
     let of = |roughness| {
         let mut wall = Wall::new(0.0, 4.0, roughness);
