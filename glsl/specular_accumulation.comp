@@ -9,7 +9,8 @@
 //      Of mixed light: albedo and specular_albedo, which tell how much of it a lobe explains.
 // Out: statistics; accumulated: irradiance, history length; new_luminance; reflection: filtered hit distance (scene units), roughness, which past was taken.
 // Constants: FILTERED: what is accumulated was filtered, so that what is kept longer is blurred more often.
-// MIXED: diffuse and specular light are one signal. The lobe is as wide as both together allow, and the light of now alone tells which past it shows.
+// MIXED: diffuse and specular light are one signal. The lobe is as wide as both together allow, and a past counts by how far it is off for the
+// part of the light that moves otherwise.
 // SHARP: irradiance by the cubic of Catmull and Rom (1974) over 4x4 taps, so that motion does not blur it.
 // optional: roughness, history_confidence, specular_hit_id, specular_motion, surface_id, instance_transforms, albedo, specular_albedo
 #extension GL_EXT_control_flow_attributes : require
