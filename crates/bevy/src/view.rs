@@ -157,12 +157,11 @@ impl ViewDenoiser {
     }
 }
 
+/// A camera that asks for a denoiser, and the one that it has.
+type Asking = (Entity, &'static Denoise, &'static ExtractedView, &'static ViewTarget, Has<Deferred>, Option<&'static ViewDenoiser>);
+
 /// Makes a denoiser for each camera that asks for one, and anew where its size, its preset or the wish for views changed.
-pub fn prepare(
-    mut commands: Commands,
-    device: Res<RenderDevice>,
-    views: Query<(Entity, &Denoise, &ExtractedView, &ViewTarget, Has<Deferred>, Option<&ViewDenoiser>)>,
-) -> Result<(), BevyError> {
+pub fn prepare(mut commands: Commands, device: Res<RenderDevice>, views: Query<Asking>) -> Result<(), BevyError> {
     for (entity, asked, view, target, has_roughness, known) in &views {
         let texture = target.main_texture();
         let (size, usage) = (texture.size(), texture.usage());
