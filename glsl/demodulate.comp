@@ -2,9 +2,10 @@
 // Divides the noisy radiance by the albedo, so that texture does not reach the filters, and stops what is not finite.
 // Source: [SVGF] section 3, demodulation by the albedo.
 // In:  noisy radiance per signal and albedo of the host, linear Rec. 709; guide. Specular light has specular_f0 in place of an albedo where the
-//      host has none, and specular_hit_distance. Mixed light has both albedos, which add up. Out: irradiance per signal; alpha: 0 (-1 in holes), or the hit distance
-//      (scene units; 0: unknown; 65504: beyond the scene). Radiance that is not finite is no sample: a hole, filled from the 3x3 pixels around
-//      it (alpha -1; -2: none of them has a sample), unless the input is sub-sampled: then fill_holes or eaw does it.
+//      host has none, and specular_hit_distance. Mixed light has both albedos, which add up.
+// Out: irradiance per signal; alpha: 0 (-1 in holes), or the hit distance (scene units; 0: unknown; 65504: beyond the scene). Radiance that
+//      is not finite is no sample: a hole, filled from the 3x3 pixels around it (alpha -1; -2: none of them has a sample), unless the input
+//      is sub-sampled: then fill_holes or eaw does it.
 //      With LUMINANCE noisy_luminance: luminance of the noisy radiance, or of the radiance `compared` (-1: not finite), and of the albedo,
 //      for the temporal gradients of the next frame; and noisy_red_blue, for its ratio of light. Both hold the candidate of every stratum
 //      where that alone is asked for, else every pixel.

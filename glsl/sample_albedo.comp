@@ -2,8 +2,8 @@
 // Divides the light of a gradient sample by the albedo of the point that it comes from, which is not that of the pixel's centre: demodulate has
 // divided by the latter. Without that a pixel in every stratum has the light of one texel and the albedo of another where textures are fine.
 // Source: ours. [ASVGF] 3.1 patches the G-buffer of these pixels instead, so that the picture has the texture of that point.
-// In:  gradient_samples; candidates of this frame; guide; albedo, with specular_albedo of mixed light, or specular_f0, by which demodulate divided. candidate_albedo of the previous
-//      frame. In place, pixels of samples only: irradiance per signal. Out: candidate_albedo: rgb: divisor at the candidate of every stratum.
+// In:  gradient_samples; candidates of this frame; guide; albedo, with specular_albedo of mixed light, or specular_f0, by which demodulate
+//      divided. candidate_albedo of the previous frame. In place, pixels of samples only: irradiance per signal. Out: candidate_albedo: rgb: divisor at the candidate of every stratum.
 // Constants: STRATUM_SIZE.
 // optional: irradiance_1, albedo, specular_f0, specular_albedo
 #extension GL_EXT_samplerless_texture_functions : require

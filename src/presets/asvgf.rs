@@ -2,10 +2,10 @@
 
 use super::past::{albedo, Past};
 use super::specular::{beside, compared, modulated, Specular};
-use super::{change_of_light, firefly_filter, gradient_samples, noisy, Denoised};
+use super::{box_filter, change_of_light, firefly_filter, gradient_samples, noisy, Denoised};
 use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
-use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Intermediates, Kernel, LuminanceWeight, Variance};
+use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Intermediates, Variance};
 
 /// A-SVGF: temporal gradients measure how outdated the history of each pixel is. The rest is SVGF
 /// with a 3×3 box, and with the fading estimate of variance \[PSVGF\]. \[ASVGF\] 3.
@@ -29,16 +29,9 @@ pub fn asvgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     // Light that changes makes many histories short: the fading estimate costs as much for them as for long ones.
     let variance = Variance { estimator: Estimator::OfMean, ..Variance::default() };
     let estimate = g.variance(guides, &accumulated, &history, variance);
-    let atrous = Atrous {
-        levels: config.levels(),
-        kernel: Kernel::Box,
-        luminance_weight: LuminanceWeight::OfMeans,
-        reflection: mixed,
-        ..Atrous::default()
-    };
     let specular = Specular { samples, confidence: Some(change.confidence), ..Specular::default() };
     let specular = beside(g, guides, config, specular);
-    let filtered = g.atrous(guides, &estimate, atrous);
+    let filtered = g.atrous(guides, &estimate, Atrous { reflection: mixed, ..box_filter(config) });
     let (radiance, reflection) = modulated(g, guides, config, filtered.into(), specular);
     let intermediates = Intermediates {
         history: Some(history),

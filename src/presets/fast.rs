@@ -2,10 +2,10 @@
 
 use super::past::{albedo, Past};
 use super::specular::{beside, modulated, Specular};
-use super::{firefly_filter, noisy, Denoised};
+use super::{box_filter, firefly_filter, noisy, Denoised};
 use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
-use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Intermediates, Kernel, LuminanceWeight, Variance};
+use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Intermediates, Variance};
 
 /// SVGF with 4 levels of 9 taps, and with the change test of [`super::percentile`] before the
 /// history. Take it if you count every microsecond. `docs/lab/performance.md` compares its cost and
@@ -13,12 +13,7 @@ use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Intermediates, K
 ///
 /// It reads `signals`, `sampling`, `levels` and `firefly_filter` of the configuration.
 pub fn fast(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
-    fast_with(g, guides, config, fast_filter(config))
-}
-
-/// The spatial filter of [`fast`].
-fn fast_filter(config: &Config) -> Atrous {
-    Atrous { levels: config.levels(), kernel: Kernel::Box, luminance_weight: LuminanceWeight::OfMeans, ..Atrous::default() }
+    fast_with(g, guides, config, box_filter(config))
 }
 
 /// [`fast`] with a different spatial filter of all light but a separate specular signal.

@@ -34,7 +34,7 @@ use crate::contract::Declaration;
 use crate::error::Error;
 use crate::graph::{Graph, Guides, Image, Irradiance, Radiance, Visibility};
 use crate::nodes::visibility_filter::OUTPUTS;
-use crate::nodes::{Import, Intermediates, TemporalUpscale, Usual};
+use crate::nodes::{Atrous, Import, Intermediates, Kernel, LuminanceWeight, TemporalUpscale, Usual};
 use visibility::{ambient, ambient_accumulated, visibility, visibility_accumulated};
 
 /// The outputs of a preset.
@@ -224,6 +224,11 @@ fn firefly_filter(
     }
     let (irradiance, usual) = without_fireflies(g, guides, &irradiance, config);
     (irradiance, Some(usual))
+}
+
+/// The spatial filter of presets with a 3×3 box.
+fn box_filter(config: &Config) -> Atrous {
+    Atrous { levels: config.levels(), kernel: Kernel::Box, luminance_weight: LuminanceWeight::OfMeans, ..Atrous::default() }
 }
 
 /// Takes outliers out. Light that returns stays, where the preset has a history.

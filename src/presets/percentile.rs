@@ -2,10 +2,10 @@
 
 use super::past::{albedo, Past};
 use super::specular::{beside, modulated, Specular};
-use super::{noisy, without_fireflies, Denoised};
+use super::{box_filter, noisy, without_fireflies, Denoised};
 use crate::config::{AdaptiveRule, Config};
 use crate::graph::{Feedback, Graph, Guides};
-use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Intermediates, Kernel, LuminanceWeight, Variance};
+use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Intermediates, Variance};
 
 /// Percentile-adaptive SVGF: statistics of 8×8 pixels remove fireflies and detect outdated history.
 /// \[PSVGF\]
@@ -30,17 +30,10 @@ pub fn percentile(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let (accumulated, mixed) = past.accumulated(g, guides, &irradiance, accumulation);
     let variance = Variance { estimator: Estimator::OfMean, ..Variance::default() };
     let estimate = g.variance(guides, &accumulated, &history, variance);
-    // The 3x3 box costs 9 taps of 25 and pays for the statistics; on the flickering box it is no worse.
-    let atrous = Atrous {
-        levels: config.levels(),
-        kernel: Kernel::Box,
-        luminance_weight: LuminanceWeight::OfMeans,
-        reflection: mixed,
-        ..Atrous::default()
-    };
     let specular = Specular { confidence: Some(confidence), difference, ..Specular::default() };
     let specular = beside(g, guides, config, specular);
-    let filtered = g.atrous(guides, &estimate, atrous);
+    // The 3x3 box costs 9 taps of 25 and pays for the statistics; on the flickering box it is no worse.
+    let filtered = g.atrous(guides, &estimate, Atrous { reflection: mixed, ..box_filter(config) });
     let (radiance, reflection) = modulated(g, guides, config, filtered.into(), specular);
     let intermediates = Intermediates {
         history: Some(history),

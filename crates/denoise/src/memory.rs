@@ -156,7 +156,7 @@ fn filter_reach(config: &Config) -> u32 {
 /// Images that a frame is made of: see [`crate::frame::load`].
 fn images(setup: &Setup) -> u64 {
     let any = |roles: &[Role]| u64::from(roles.iter().any(|role| setup.mapping.has(*role)));
-    let light = if setup.config.signals == Signals::Together { 1 } else { 2 };
+    let light = if matches!(setup.config.signals, Signals::Together | Signals::Mixed) { 1 } else { 2 };
     let alone = [
         Role::Albedo,
         Role::Roughness,

@@ -77,11 +77,7 @@ impl Divisor {
     }
 
     pub(super) fn bind(self, pass: Pass) -> Pass {
-        let pass = pass.bind_some("albedo", self.albedo).bind_some("specular_f0", self.specular_f0);
-        match self.coat {
-            Some(coat) => pass.bind("specular_albedo", coat),
-            None => pass,
-        }
+        pass.bind_some("albedo", self.albedo).bind_some("specular_f0", self.specular_f0).bind_some("specular_albedo", self.coat)
     }
 }
 

@@ -16,6 +16,7 @@ use crate::reference::Image;
 use crate::{Counter, Statistics};
 use crate::{Error, FrameConstants, Tuning};
 use glam::IVec2;
+use std::borrow::Cow;
 
 #[cfg(test)]
 mod tests;
@@ -99,13 +100,17 @@ pub(crate) fn albedo_at(
     given.or_else(computed).filter(|_| !surface.is_background())
 }
 
-/// The albedo of mixed light, base and coat together.
-pub(crate) fn with_coat(albedo: Option<&Image<[f32; 4]>>, coat: Option<&Image<[f32; 4]>>) -> Option<Image<[f32; 4]>> {
-    let (albedo, coat) = (albedo?, coat?);
-    Some(Image::compute(albedo.extent(), albedo.extent(), |p| {
+/// The albedo that divides: of mixed light, base and coat together.
+pub(crate) fn with_coat<'a>(
+    albedo: Option<&'a Image<[f32; 4]>>,
+    coat: Option<&Image<[f32; 4]>>,
+) -> Option<Cow<'a, Image<[f32; 4]>>> {
+    let albedo = albedo?;
+    let Some(coat) = coat else { return Some(Cow::Borrowed(albedo)) };
+    Some(Cow::Owned(Image::compute(albedo.extent(), albedo.extent(), |p| {
         let (base, coat) = (albedo.at(p), coat.at(p));
         std::array::from_fn(|i| base[i] + coat[i])
-    }))
+    })))
 }
 
 /// A hit distance as half floats hold it, and whether it was bad.
@@ -230,13 +235,12 @@ pub(crate) const RULES: &[Rule] = &[
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let noisy = b.colours("noisy")?;
-    let base = b.optional_colour("albedo")?;
-    let both = with_coat(base, b.optional_colour("specular_albedo")?);
+    let albedo = with_coat(b.optional_colour("albedo")?, b.optional_colour("specular_albedo")?);
     let inputs = DemodulateInputs {
         guide: b.packed("guide")?,
         depth_gradient: b.uint("depth_gradient")?,
         noisy: &noisy,
-        albedo: both.as_ref().or(base),
+        albedo: albedo.as_deref(),
         specular_f0: b.optional_colour("specular_f0")?,
         specular_hit_distance: b.optional_colour("specular_hit_distance")?,
         is_sub_sampled: b.is_on("SAMPLING")?,

@@ -94,12 +94,12 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         upsample(b.frame, &UpsampleInputs { rendered_guide, guide, is_volume: false, filtered: &filtered }, |irradiance| irradiance)
     });
     let irradiance = upsampled.as_ref().map_or(filtered, |upsampled| upsampled.iter().collect());
-    let (base, coat) = (b.optional_colour("albedo")?, b.optional_colour("specular_albedo")?);
-    let both = with_coat(base, coat.filter(|_| !specular));
+    let coat = b.optional_colour("specular_albedo")?;
+    let albedo = with_coat(b.optional_colour("albedo")?, coat.filter(|_| !specular));
     let inputs = ModulateInputs {
         guide: rendered.unwrap_or(guide),
         irradiance: &irradiance,
-        albedo: both.as_ref().or(base),
+        albedo: albedo.as_deref(),
         specular: specular.then_some(SpecularAlbedos { albedo: coat, f0: b.optional_colour("specular_f0")? }),
         emission: b.optional_colour("emission")?,
         outgoing: Outgoing::of(b)?,

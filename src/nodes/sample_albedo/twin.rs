@@ -77,15 +77,14 @@ pub(crate) const RULES: &[Rule] = &[pixels("irradiance_0", HALF), pixels("irradi
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
-    let base = b.optional_colour("albedo")?;
-    let both = with_coat(base, b.optional_colour("specular_albedo")?);
+    let albedo = with_coat(b.optional_colour("albedo")?, b.optional_colour("specular_albedo")?);
     let inputs = SampleAlbedoInputs {
         guide: b.packed("guide")?,
         gradient_samples: b.packed("gradient_samples")?,
         candidates: b.packed("candidates")?,
         previous_candidate_albedo: b.optional_colour("previous_candidate_albedo")?,
         irradiance: &b.colours("irradiance")?,
-        albedo: both.as_ref().or(base),
+        albedo: albedo.as_deref(),
         specular_f0: b.optional_colour("specular_f0")?,
     };
     let outputs = sample_albedo(b.frame, b.stratum_size()?, &inputs);

@@ -11,7 +11,7 @@ use std::path::PathBuf;
 /// Times every pass of presets and other graphs, with their bytes, memory, start-up and recording.
 ///
 /// docs/lab/performance.md says what the columns mean.
-#[derive(Clone, Parser)]
+#[derive(Parser)]
 #[command(name = "bench")]
 pub struct Options {
     /// Presets or graphs, separated by commas; all presets where none is given
@@ -101,8 +101,8 @@ impl Options {
     pub fn choices(&self) -> Choices {
         let (visibility, volume) = (self.visibility.max(u32::from(self.game)), self.volume || self.game);
         let post_process = if self.post_process { PostProcess::ToneMapTaa } else { PostProcess::None };
-        let Self { config, game: reflections, output, light, .. } = self.clone();
-        Choices { config, reflections, visibility, volume, output, light, post_process }
+        let (reflections, output, light) = (self.game, self.output, self.light);
+        Choices { config: self.config.clone(), reflections, visibility, volume, output, light, post_process }
     }
 
     /// Sizes from small to large.
