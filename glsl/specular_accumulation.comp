@@ -6,13 +6,13 @@
 // In:  guide (current, previous), surface_motion, depth_gradient; noisy: specular irradiance, hit distance; roughness of the host; history and
 //      moments of the previous frame, and its reflection; history_confidence as in temporal_accumulation.comp; by which instances the mirror
 //      and the thing in it move: specular_hit_id, surface_id, instance_transforms; or the thing by the host: specular_motion, scene units.
-//      Of mixed light: albedo and specular_albedo, which tell how much of it a lobe explains.
+//      Of mixed light: albedo and specular_albedo, which tell how much of it a lobe explains. material_class.
 // Out: statistics; accumulated: irradiance, history length; new_luminance; reflection: filtered hit distance (scene units), roughness, which past was taken.
 // Constants: FILTERED: what is accumulated was filtered, so that what is kept longer is blurred more often.
 // MIXED: diffuse and specular light are one signal. The lobe is as wide as both together allow, and a past counts by how far it is off for the
 // part of the light that moves otherwise.
 // SHARP: irradiance by the cubic of Catmull and Rom (1974) over 4x4 taps, so that motion does not blur it.
-// optional: roughness, history_confidence, specular_hit_id, specular_motion, surface_id, instance_transforms, albedo, specular_albedo
+// optional: roughness, history_confidence, specular_hit_id, specular_motion, surface_id, instance_transforms, albedo, specular_albedo, material_class
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
@@ -59,6 +59,7 @@ const uint INSTANCE_TRANSFORMS = 16u;
 const uint SPECULAR_MOTION = 18u;
 const uint ALBEDO = 19u;
 const uint SPECULAR_ALBEDO = 20u;
+const uint MATERIAL_CLASS = 21u;
 
 layout(set = 0, binding = 2) uniform utexture2D previous_guide;
 layout(set = 0, binding = 3) uniform utexture2D surface_motion;
@@ -77,10 +78,14 @@ layout(set = 0, binding = SPECULAR_HIT_ID) uniform utexture2D specular_hit_id;
 layout(set = 0, binding = SPECULAR_MOTION) uniform texture2D specular_motion;
 layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
 layout(set = 0, binding = SPECULAR_ALBEDO) uniform texture2D specular_albedo;
+layout(set = 0, binding = MATERIAL_CLASS) uniform utexture2D material_class;
 layout(set = 0, binding = SURFACE_ID) uniform utexture2D surface_id;
 layout(set = 0, binding = INSTANCE_TRANSFORMS, std430) readonly buffer InstanceTransforms { vec4 rows[]; } instance_transforms;
 
 #include "scenery.glsl"
+#include "material.glsl"
+
+Material material;
 
 // The surface of a pixel, with what is expected of it in the previous frame.
 struct Centre {
@@ -153,7 +158,8 @@ struct Past {
 Centre centre_of(ivec2 p, GuideBits packed, float origin) {
     SurfaceMotion m = unpack_surface_motion(texelFetch(surface_motion, p, 0));
     vec2 gradient = unpack_depth_gradient(texelFetch(depth_gradient, p, 0).x);
-    return Centre(mirror_at(p, packed, m.motion), guide_depth(packed), expected_surface(packed, m, gradient, m.previous_normal), origin);
+    Expected expected = with_tolerances(expected_surface(packed, m, gradient, m.previous_normal), material.depth, material.normal);
+    return Centre(mirror_at(p, packed, m.motion), guide_depth(packed), expected, origin);
 }
 
 // Hit distance of this frame, over as many of 3x3 pixels as the lobe blurs.
@@ -438,7 +444,7 @@ float explained_share(ivec2 p) {
 
 // Frames of a past, with this one, which is worth `worth` of them and whose weight is at least `least`.
 float length_with(float frames, float worth, float least) {
-    float history_length = min(frames + worth, push.max_history_length);
+    float history_length = min(frames + worth, min(push.max_history_length, material.longest_history));
     return is_present(HISTORY_CONFIDENCE) ? min(history_length, 1.0 / max(least, 1e-6)) : history_length;
 }
 
@@ -454,6 +460,9 @@ void main() {
     Reflection seen = Reflection(0.0, rough);
     vec3 irradiance = value.rgb;
     float image_share = NO_PAST;
+    material = material_at(p);
+    // Of light apart, temporal_accumulation.comp counts them.
+    if (MIXED && is_present(MATERIAL_CLASS) && !background && !is_class(class_at(p))) count_bad(BAD_MATERIAL_CLASS);
     if (!background) {
         Centre c = centre_of(p, packed, luminance_origin(value.rgb));
         seen.hit_distance = hit_distance_now(c, max(value.a, 0.0), rough);

@@ -213,10 +213,7 @@ Expected surface_expectation(ivec2 p, GuideBits packed, out vec2 motion) {
     motion = m.motion;
     vec2 gradient = is_present(DEPTH_GRADIENT) ? unpack_depth_gradient(texelFetch(depth_gradient, p, 0).x) : vec2(0.0);
     vec3 n = has_object_normals() ? unpack_object_normal(texelFetch(object_normal, p, 0).x) : m.previous_normal;
-    Expected expected = expected_surface(packed, m, gradient, n);
-    expected.depth_tolerance += (material.depth - 1.0) * push.depth_tolerance * expected.depth;
-    expected.normal_tolerance += (1.0 - material.normal) * (1.0 - push.normal_tolerance);
-    return expected;
+    return with_tolerances(expected_surface(packed, m, gradient, n), material.depth, material.normal);
 }
 
 // What the previous frame must show, and where.

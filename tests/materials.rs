@@ -2,7 +2,7 @@
 
 use super::support::scene::{pixels, rmse, Guides, Scene};
 use super::support::{assert_valid, frame, session, svgf, svgf_tuning};
-use atrous::config::Preset;
+use atrous::config::{Preset, Signals};
 use atrous::executor::Session;
 use atrous::{Config, Counter, FrameParams, Material, Tuning};
 use atrous_harness::DeviceTest;
@@ -106,14 +106,20 @@ fn a_class_has_a_longest_history_of_its_own() {
     let scene = Scene { noise: 0.0, ..Scene::new(EXTENT) };
     let guides = |i: u32| Scene { light: if i + 1 < FRAMES { 1.0 } else { 2.0 }, ..scene }.frame(0, 0);
     let short = Material { longest_history: 1.0, ..Material::default() };
-    let (_, image) = denoised(&svgf(EXTENT), &svgf_tuning(), Some(short), |x, _| x >= 24, guides);
     let truth = guides(FRAMES - 1).clean;
-    let half = |image: &[[f32; 4]], is_right: bool| -> Picture {
-        let far = |x: u32| if is_right { x >= 36 } else { x < 12 };
-        pixels(EXTENT).zip(image).filter(|((x, _), _)| far(*x)).map(|(_, texel)| *texel).collect()
-    };
-    let [left, right] = [false, true].map(|side| rmse(&half(&image, side), &half(&truth, side)));
-    assert!(right < 0.25 * left, "error with a history of one frame {right}, with the usual one {left}");
+    for signals in [Signals::Together, Signals::Mixed] {
+        let config = Config { signals, ..svgf(EXTENT) };
+        let (_, image) = denoised(&config, &svgf_tuning(), Some(short), |x, _| x >= 24, guides);
+        let light = |image: &[[f32; 4]], is_right: bool| -> f32 {
+            let far = |x: u32| if is_right { x >= 36 } else { x < 12 };
+            pixels(EXTENT).zip(image).filter(|((x, _), _)| far(*x)).map(|(_, texel)| texel[1]).sum()
+        };
+        let [left, right] = [false, true].map(|side| light(&image, side) / light(&truth, side));
+        assert!(
+            (right - 1.0).abs() < 0.03 && left < 0.9,
+            "{signals:?}: light with a history of one frame {right}, with the usual one {left}"
+        );
+    }
 }
 
 fn usual_numbers_change_no_bit() {
@@ -132,9 +138,15 @@ fn usual_numbers_change_no_bit() {
 }
 
 fn classes_beyond_the_table_are_counted() {
+    for signals in [Signals::Together, Signals::Specular, Signals::Mixed] {
+        classes_of(Config { signals, ..svgf(EXTENT) });
+    }
+}
+
+fn classes_of(config: Config) {
     let scene = Scene::new(EXTENT);
-    let mut s = session(&Config { material_class: true, ..svgf(EXTENT) });
-    let mut plain = session(&svgf(EXTENT));
+    let mut s = session(&Config { material_class: true, ..config });
+    let mut plain = session(&config);
     let guides = scene.frame(0, 0);
     let surfaces = guides.surface_id.iter().filter(|id| **id != 0).count();
     let expected = frame(&mut plain, &guides, &scene.params(0), &svgf_tuning()).1;

@@ -25,6 +25,13 @@ Expected expected_surface(GuideBits packed, SurfaceMotion m, vec2 gradient, vec3
     return Expected(previous_z, tolerance, gradient, normal, push.normal_tolerance, guide_id(packed), guide_is_dark(packed));
 }
 
+// With factors of the tolerated differences of depth and of 1 - cosine of normals.
+Expected with_tolerances(Expected expected, float depth, float normal) {
+    expected.depth_tolerance += (depth - 1.0) * push.depth_tolerance * expected.depth;
+    expected.normal_tolerance += (1.0 - normal) * (1.0 - push.normal_tolerance);
+    return expected;
+}
+
 // Of a pixel of the previous frame without a look at its normal. `slack`: depth that the surface may have gained on the way to a tap that
 // lies aside.
 uint surface_refusal(GuideBits packed, Expected expected, float slack) {

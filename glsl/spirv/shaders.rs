@@ -970,6 +970,7 @@ pub(crate) static SPECULAR_ACCUMULATION: Shader = Shader {
         ShaderBinding { number: 18, name: Cow::Borrowed("specular_motion"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 19, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 20, name: Cow::Borrowed("specular_albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 21, name: Cow::Borrowed("material_class"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },

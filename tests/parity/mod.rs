@@ -175,11 +175,12 @@ fn outliers() {
     }
 }
 
-/// Of two signals, of specular light, and of light of fewer pixels.
+/// Of two signals, of specular light, of mixed light, and of light of fewer pixels.
 fn materials() {
     let fast = Config { preset: Preset::Fast, material_class: true, ..Config::new([24, 16]) };
     sequence(&Config { signals: Signals::Apart, ..fast });
     sequence(&Config { signals: Signals::Specular, ..fast });
+    sequence(&Config { signals: Signals::Mixed, ..fast });
     light::sequence(&Config { light_extent: Some([12, 8]), ..fast });
 }
 

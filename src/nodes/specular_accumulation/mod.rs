@@ -92,6 +92,7 @@ impl Graph {
             .bind("specular_motion", self.input(Input::SPECULAR_MOTION))
             .bind_some("surface_id", self.given(Input::SURFACE_ID))
             .bind("instance_transforms", self.input(Input::INSTANCE_TRANSFORMS))
+            .bind_some("material_class", guides.material_class)
             .previous("history", history.colour()[0])
             .previous("previous_luminance_history", history.luminance_history()[0])
             .previous("previous_reflection", reflection)

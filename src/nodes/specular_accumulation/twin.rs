@@ -9,6 +9,7 @@ use crate::reference::conventions::{is_reset, roughness_channel};
 use crate::reference::guide::{unpack_guide, Surface};
 use crate::reference::luminance::{luminance, texel_luminance};
 use crate::reference::luminance_history::{pack_luminance_history, split_luminance_history, LuminanceHistory, Reason};
+use crate::reference::material::{class_of, tuning_at};
 use crate::reference::reflection::{
     hit_distance_of, lobe_radius, mixed_roughness, nearness, pack_reflection, roughness_of, SeenReflection,
 };
@@ -72,6 +73,8 @@ pub(crate) struct SpecularAccumulationInputs<'a> {
     pub instances: Instances<'a>,
     /// Confidence in the history.
     pub history_confidence: Option<&'a Image<f32>>,
+    /// Classes of materials, where the host gives them.
+    pub material_class: Option<&'a Image<u32>>,
     /// The previous frame, which is not read in a reset frame.
     pub previous: PreviousSpecular<'a>,
 }
@@ -118,6 +121,11 @@ pub(crate) fn specular_accumulation(
     let mut statistics = Statistics::default();
     statistics[Counter::HitId] = count(texels.texels().iter().map(|t| t.4[0]));
     statistics[Counter::SpecularMotion] = count(texels.texels().iter().map(|t| t.4[1]));
+    if let Some(classes) = inputs.material_class.filter(|_| inputs.is_mixed) {
+        let is_bad = |p| !unpack_guide(inputs.guide.at(p)).is_background() && class_of(frame, classes, p).1;
+        let bad = Image::compute(inputs.guide.extent(), frame.render_extent, is_bad);
+        statistics[Counter::MaterialClass] = count(bad.texels().iter().copied());
+    }
     SpecularAccumulationOutputs {
         statistics,
         accumulated: texels.map(|t| t.0),
@@ -184,12 +192,16 @@ impl Scene<'_> {
         }
     }
 
+    fn tuning_at(&self, p: IVec2) -> Tuning {
+        tuning_at(self.frame, self.tuning, self.inputs.material_class, p)
+    }
+
     fn centre(&self, p: IVec2, surface: Surface) -> Centre {
         let motion = unpack_surface_motion(self.inputs.surface_motion.at(p));
         let gradient = unpack_depth_gradient(self.inputs.depth_gradient.at(p));
         Centre {
             mirror: self.motion.mirror(p, motion.motion),
-            reprojected: Reprojected::new(self.frame, self.tuning, (surface, p), &motion, gradient),
+            reprojected: Reprojected::new(self.frame, &self.tuning_at(p), (surface, p), &motion, gradient),
             origin: (texel_luminance(self.inputs.noisy.at(p)) / self.frame.exposure_ratio.max(1e-20)).min(LARGEST_HALF),
         }
     }
@@ -219,8 +231,8 @@ impl Scene<'_> {
         let confidence = self.inputs.history_confidence;
         let change = confidence.map_or(0.0, |confidence| 1.0 - confidence.at(p));
         let scale = 1.0 + (STEADY_ALPHA - 1.0) * best.steadiness;
-        let Tuning { alpha, alpha_moments, .. } = *self.tuning;
-        let tuning = Tuning { alpha: alpha * scale, alpha_moments: alpha_moments * scale, ..*self.tuning };
+        let tuning = self.tuning_at(p);
+        let tuning = Tuning { alpha: tuning.alpha * scale, alpha_moments: tuning.alpha_moments * scale, ..tuning };
         let bounds = AlphaBounds::new(&tuning, confidence.is_some(), false, change);
         let deviation = (past.second_moment - past.mean * past.mean).max(0.0).sqrt();
         let before =
@@ -257,6 +269,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         reflectances: b.optional_colour("albedo")?.zip(b.optional_colour("specular_albedo")?).map(Into::into),
         roughness: b.optional_colour("roughness")?,
         history_confidence: b.optional_scalar("history_confidence")?,
+        material_class: b.optional_uint("material_class")?,
         instances: Instances {
             hit_id: b.optional_uint("specular_hit_id")?,
             motion: b.optional_colour("specular_motion")?,

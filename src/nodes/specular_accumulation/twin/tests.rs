@@ -69,6 +69,7 @@ impl Wall {
             is_filtered: self.is_filtered,
             is_sharp: self.is_sharp,
             is_mixed: self.reflectances.is_some(),
+            material_class: None,
             reflectances: self.reflectances.as_ref().map(|images| images.each_ref()),
             roughness: self.roughness.as_ref(),
             history_confidence: None,
