@@ -1,7 +1,7 @@
 //! The default filter: every part that made pictures better, in one graph.
 
 use super::past::{albedo, Past};
-use super::specular::{beside, compared, modulated, Specular};
+use super::specular::{beside, compared, filtered, Specular};
 use super::{firefly_filter, gradient_samples, noisy, Denoised};
 use crate::config::{Config, Signals};
 use crate::graph::{Difference, Feedback, Gradient, Graph, Guides};
@@ -26,9 +26,8 @@ pub struct Best {
     pub sharp: bool,
     /// Default: [`Estimator::OfMean`].
     pub variance: Variance,
-    /// Spatial filter of all light but a separate specular signal; `feedback` sets its own.
-    /// Default: the levels of the configuration with 9 taps, and [`LuminanceWeight::OfMeans`], which
-    /// specular light takes too.
+    /// Spatial filter; `feedback` sets its own.
+    /// Default: the levels of the configuration with 9 taps, and [`LuminanceWeight::OfMeans`].
     pub spatial: Atrous,
 }
 
@@ -98,22 +97,17 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
     let specular = Specular {
         feedback,
         variance,
-        luminance_weight: spatial.luminance_weight,
         sharp: best.sharp,
         samples,
         confidence: Some(unscaled),
         ..Specular::default()
     };
     let specular = beside(g, guides, config, specular);
-    let filtered = g.atrous(
-        guides,
-        &estimate,
-        Atrous { feedback: (feedback == Feedback::Filtered).then_some(history), reflection: mixed, ..spatial },
-    );
-    let (radiance, reflection) = modulated(g, guides, config, filtered.into(), specular);
+    let spatial = Atrous { feedback: (feedback == Feedback::Filtered).then_some(history), reflection: mixed, ..spatial };
+    let radiance = filtered(g, guides, config, &estimate, spatial, specular);
     let intermediates = Intermediates {
         history: Some(history),
-        reflection: reflection.or(mixed),
+        reflection: specular.map(|specular| specular.reflection).or(mixed),
         deviation: true,
         confidence: Some(confidence),
         gradient,

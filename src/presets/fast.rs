@@ -1,7 +1,7 @@
 //! The cheapest filter that follows changing light.
 
 use super::past::{albedo, Past};
-use super::specular::{beside, modulated, Specular};
+use super::specular::{beside, filtered, Specular};
 use super::{box_filter, firefly_filter, noisy, Denoised};
 use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
@@ -16,7 +16,7 @@ pub fn fast(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     fast_with(g, guides, config, box_filter(config))
 }
 
-/// [`fast`] with a different spatial filter of all light but a separate specular signal.
+/// [`fast`] with a different spatial filter.
 pub fn fast_with(g: &mut Graph, guides: &Guides, config: &Config, spatial: Atrous) -> Denoised {
     let noisy = noisy(g, config.signals);
     let irradiance =
@@ -31,11 +31,11 @@ pub fn fast_with(g: &mut Graph, guides: &Guides, config: &Config, spatial: Atrou
     let (accumulated, mixed) = past.accumulated(g, guides, &irradiance, accumulation);
     let estimate = g.variance(guides, &accumulated, &history, Variance { estimator: Estimator::OfMean, ..Variance::default() });
     let specular = beside(g, guides, config, Specular { difference: Some(difference), ..Specular::default() });
-    let filtered = g.atrous(guides, &estimate, Atrous { reflection: mixed, ..spatial });
-    let (radiance, reflection) = modulated(g, guides, config, filtered.into(), specular);
+    let spatial = Atrous { reflection: mixed, ..spatial };
+    let radiance = filtered(g, guides, config, &estimate, spatial, specular);
     let intermediates = Intermediates {
         history: Some(history),
-        reflection: reflection.or(mixed),
+        reflection: specular.map(|specular| specular.reflection).or(mixed),
         deviation: true,
         confidence: Some(confidence),
         usual,

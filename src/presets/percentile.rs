@@ -1,7 +1,7 @@
 //! Percentile-based adaptive SVGF [PSVGF].
 
 use super::past::{albedo, Past};
-use super::specular::{beside, modulated, Specular};
+use super::specular::{beside, filtered, Specular};
 use super::{box_filter, noisy, without_fireflies, Denoised};
 use crate::config::{AdaptiveRule, Config};
 use crate::graph::{Feedback, Graph, Guides};
@@ -33,11 +33,11 @@ pub fn percentile(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let specular = Specular { confidence: Some(confidence), difference, ..Specular::default() };
     let specular = beside(g, guides, config, specular);
     // The 3x3 box costs 9 taps of 25 and pays for the statistics; on the flickering box it is no worse.
-    let filtered = g.atrous(guides, &estimate, Atrous { reflection: mixed, ..box_filter(config) });
-    let (radiance, reflection) = modulated(g, guides, config, filtered.into(), specular);
+    let spatial = Atrous { reflection: mixed, ..box_filter(config) };
+    let radiance = filtered(g, guides, config, &estimate, spatial, specular);
     let intermediates = Intermediates {
         history: Some(history),
-        reflection: reflection.or(mixed),
+        reflection: specular.map(|specular| specular.reflection).or(mixed),
         deviation: true,
         confidence: Some(confidence),
         usual: Some(usual),
