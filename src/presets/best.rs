@@ -2,7 +2,7 @@
 
 use super::past::{albedo, Past};
 use super::specular::{beside, compared, filtered, Specular};
-use super::{firefly_filter, gradient_samples, noisy, Denoised};
+use super::{compared_with_history, gradient_samples, noisy, usual_light, Denoised};
 use crate::config::{Config, Signals};
 use crate::graph::{Difference, Feedback, Gradient, Graph, Guides};
 use crate::nodes::{Accumulation, Atrous, Confidences, Demodulate, Estimator, Intermediates, Kernel, LuminanceWeight, Variance};
@@ -78,15 +78,20 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
     let samples = gradients.and_then(|gradients| gradients.samples());
     let demodulate = Demodulate { albedo: albedo(config), gradient, samples, sampling: config.sampling };
     let irradiance = g.demodulate(guides, &noisy, demodulate);
-    let (irradiance, usual) = firefly_filter(g, guides, irradiance, config, best.firefly_filter);
-    let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let past = Past::new(g, config, &irradiance, best.feedback);
     let history = past.history;
-    let Confidences { scaled: confidence, unscaled } = match &gradient {
-        Some(gradient) => {
-            let difference = best.change_test.then(|| g.block_difference(guides, &irradiance, &history));
-            confidences(g, gradient, difference, config.signals)
+    let usual = best.firefly_filter.then(|| usual_light(g, guides, &irradiance, config));
+    let (irradiance, difference) = match (best.change_test && gradient.is_some(), &usual) {
+        (true, usual) => {
+            let (irradiance, difference) = compared_with_history(g, guides, irradiance, &history, usual.as_ref());
+            (irradiance, Some(difference))
         }
+        (false, Some(usual)) => (g.firefly(guides, &irradiance, &usual.limits), None),
+        (false, None) => (irradiance, None),
+    };
+    let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
+    let Confidences { scaled: confidence, unscaled } = match &gradient {
+        Some(gradient) => confidences(g, gradient, difference, config.signals),
         None => Confidences::equal(g.host_confidence()),
     };
     let light_ratio = gradient.and_then(|gradient| gradient.light_ratio());

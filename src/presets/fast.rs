@@ -2,7 +2,7 @@
 
 use super::past::{albedo, Past};
 use super::specular::{beside, filtered, Specular};
-use super::{box_filter, firefly_filter, noisy, Denoised};
+use super::{box_filter, compared_with_history, noisy, usual_light, Denoised};
 use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
 use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Intermediates, Variance};
@@ -21,11 +21,11 @@ pub fn fast_with(g: &mut Graph, guides: &Guides, config: &Config, spatial: Atrou
     let noisy = noisy(g, config.signals);
     let irradiance =
         g.demodulate(guides, &noisy, Demodulate { albedo: albedo(config), sampling: config.sampling, ..Demodulate::default() });
-    let (irradiance, usual) = firefly_filter(g, guides, irradiance, config, config.firefly_filter);
-    let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let past = Past::new(g, config, &irradiance, Feedback::Accumulated);
     let history = past.history;
-    let difference = g.block_difference(guides, &irradiance, &history);
+    let usual = config.firefly_filter.then(|| usual_light(g, guides, &irradiance, config));
+    let (irradiance, difference) = compared_with_history(g, guides, irradiance, &history, usual.as_ref());
+    let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let confidence = g.change_test(&difference);
     let accumulation = Accumulation { confidence: Some(confidence), ..Accumulation::default() };
     let (accumulated, mixed) = past.accumulated(g, guides, &irradiance, accumulation);

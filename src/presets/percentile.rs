@@ -2,7 +2,7 @@
 
 use super::past::{albedo, Past};
 use super::specular::{beside, filtered, Specular};
-use super::{box_filter, noisy, without_fireflies, Denoised};
+use super::{box_filter, compared_with_history, noisy, usual_light, Denoised};
 use crate::config::{AdaptiveRule, Config};
 use crate::graph::{Feedback, Graph, Guides};
 use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Intermediates, Variance};
@@ -15,16 +15,20 @@ pub fn percentile(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let noisy = noisy(g, config.signals);
     let irradiance =
         g.demodulate(guides, &noisy, Demodulate { albedo: albedo(config), sampling: config.sampling, ..Demodulate::default() });
-    let (irradiance, usual) = without_fireflies(g, guides, &irradiance, config);
-    let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let past = Past::new(g, config, &irradiance, Feedback::Accumulated);
     let history = past.history;
-    let (confidence, difference) = match config.adaptive_rule {
-        AdaptiveRule::Percentiles => (g.percentile_rule(guides, &usual.percentiles, &history), None),
+    let usual = usual_light(g, guides, &irradiance, config);
+    let (irradiance, difference) = match config.adaptive_rule {
+        AdaptiveRule::Percentiles => (g.firefly(guides, &irradiance, &usual.limits), None),
         AdaptiveRule::ChangeTest => {
-            let difference = g.block_difference(guides, &irradiance, &history);
-            (g.change_test(&difference), Some(difference))
+            let (irradiance, difference) = compared_with_history(g, guides, irradiance, &history, Some(&usual));
+            (irradiance, Some(difference))
         }
+    };
+    let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
+    let confidence = match &difference {
+        Some(difference) => g.change_test(difference),
+        None => g.percentile_rule(guides, &usual.percentiles, &history),
     };
     let accumulation = Accumulation { confidence: Some(confidence), repair: true, ..Accumulation::default() };
     let (accumulated, mixed) = past.accumulated(g, guides, &irradiance, accumulation);
