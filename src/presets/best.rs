@@ -99,14 +99,7 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
     let (accumulated, mixed) = past.accumulated(g, guides, &irradiance, accumulation);
     let Best { variance, feedback, spatial, .. } = best;
     let estimate = g.variance(guides, &accumulated, &history, variance);
-    let specular = Specular {
-        feedback,
-        variance,
-        sharp: best.sharp,
-        samples,
-        confidence: Some(unscaled),
-        ..Specular::default()
-    };
+    let specular = Specular { feedback, variance, sharp: best.sharp, samples, confidence: Some(unscaled), ..Specular::default() };
     let specular = beside(g, guides, config, specular);
     let spatial = Atrous { feedback: (feedback == Feedback::Filtered).then_some(history), reflection: mixed, ..spatial };
     let radiance = filtered(g, guides, config, &estimate, spatial, specular);
@@ -125,9 +118,10 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
 /// Confidence from gradients, and from the change test where the light's difference from its history is given. That in a history that
 /// nothing scales is of specular light alone.
 fn confidences(g: &mut Graph, gradient: &Gradient, difference: Option<Difference>, signals: Signals) -> Confidences {
-    let tested = difference.map(|difference| g.scope("tested", |g| g.change_and_steadiness(&difference)));
-    match signals {
-        Signals::Specular => g.history_confidences(gradient, tested.as_ref()),
-        _ => Confidences::equal(g.history_confidence(gradient, tested.as_ref())),
+    let both = signals == Signals::Specular;
+    match difference {
+        Some(difference) => g.tested_confidences(gradient, &difference, both),
+        None if both => g.history_confidences(gradient, None),
+        None => Confidences::equal(g.history_confidence(gradient, None)),
     }
 }

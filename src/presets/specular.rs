@@ -49,13 +49,7 @@ pub(super) struct SpecularEstimate {
 /// surfaces. `spatial` takes its feedback and its reflections from here.
 ///
 /// It reads `sampling` of the configuration.
-pub fn specular(
-    g: &mut Graph,
-    guides: &Guides,
-    config: &Config,
-    specular: Specular,
-    spatial: Atrous,
-) -> (Irradiance, Reflection) {
+pub fn specular(g: &mut Graph, guides: &Guides, config: &Config, specular: Specular, spatial: Atrous) -> (Irradiance, Reflection) {
     let SpecularEstimate { estimate, history, reflection } = estimated(g, guides, config, specular);
     let feedback = (specular.feedback == Feedback::Filtered).then_some(history);
     (g.atrous(guides, &estimate, Atrous { feedback, reflection: Some(reflection), ..spatial }).into(), reflection)

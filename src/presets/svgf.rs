@@ -20,11 +20,7 @@ pub fn svgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let history = past.history;
     let (accumulated, mixed) = past.accumulated(g, guides, &irradiance, Accumulation::default());
     let estimate = g.variance(guides, &accumulated, &history, Variance::default());
-    let specular = Specular {
-        feedback: Feedback::Filtered,
-        variance: Variance::default(),
-        ..Specular::default()
-    };
+    let specular = Specular { feedback: Feedback::Filtered, variance: Variance::default(), ..Specular::default() };
     let specular = beside(g, guides, config, specular);
     let spatial = Atrous { levels: config.levels(), feedback: Some(history), reflection: mixed, ..Atrous::default() };
     let radiance = filtered(g, guides, config, &estimate, spatial, specular);

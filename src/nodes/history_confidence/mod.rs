@@ -4,9 +4,9 @@
 
 pub(crate) mod twin;
 
-use super::{pass, ChangeTest};
-use crate::contract::{Input, Lifetime};
-use crate::graph::{Confidence, Gradient, Graph, Image, Port, CONFIDENCE};
+use super::{pass, ChangeTest, BLOCK_SIZE};
+use crate::contract::{Grid, Input, Lifetime};
+use crate::graph::{Confidence, Difference, Gradient, Graph, Image, Pass, Port, CONFIDENCE};
 use crate::shaders;
 
 /// Confidence from gradients in two kinds of history.
@@ -31,7 +31,7 @@ impl Graph {
     /// without a known gradient take the confidence of `tested`: all pixels, in frames without
     /// re-shaded samples. Where the test is sure that nothing changed, a gradient does not count.
     pub fn history_confidence(&mut self, gradient: &Gradient, tested: Option<&ChangeTest>) -> Confidence {
-        self.add_history_confidence(gradient, tested, None)
+        self.confidence_of_gradient(gradient, tested, None)
     }
 
     /// [`Self::history_confidence`], and in the same pass the confidence in a history that the ratio of
@@ -41,21 +41,41 @@ impl Graph {
         let unscaled = gradient.light_ratio.map(|_| self.confidence_image("unscaled_confidence"));
         // Without the ratio one confidence is for both, so that gradients count.
         let tested = tested.map(|tested| ChangeTest { steadiness: tested.steadiness.filter(|_| unscaled.is_some()), ..*tested });
-        let scaled = self.add_history_confidence(gradient, tested.as_ref(), unscaled);
+        let scaled = self.confidence_of_gradient(gradient, tested.as_ref(), unscaled);
         Confidences { scaled, unscaled: unscaled.map_or(scaled, |image| Port::of(self.refreshed(image))) }
     }
 
-    fn add_history_confidence(&mut self, gradient: &Gradient, tested: Option<&ChangeTest>, unscaled: Option<Image>) -> Confidence {
+    /// [`Self::history_confidences`] with the change test of `difference` in the same pass; `both`: with a confidence of its own in a
+    /// history that the ratio of light does not scale.
+    pub(crate) fn tested_confidences(&mut self, gradient: &Gradient, difference: &Difference, both: bool) -> Confidences {
+        let unscaled = gradient.light_ratio.filter(|_| both).map(|_| self.confidence_image("unscaled_confidence"));
+        // Without the ratio one confidence is for both, so that gradients count.
+        let steady = !both || unscaled.is_some();
         let node = self.node("history_confidence", "");
-        let confidence = self.confidence_image("history_confidence");
+        let pass = pass(&node, &shaders::HISTORY_CONFIDENCE_SOURCE_2)
+            .grid(Grid::Columns(BLOCK_SIZE))
+            .constant("TEST", 1 + u32::from(steady))
+            .each("block_difference", difference.images());
+        let scaled = self.add_history_confidence(pass, gradient, unscaled);
+        Confidences { scaled, unscaled: unscaled.map_or(scaled, |image| Port::of(self.refreshed(image))) }
+    }
+
+    fn confidence_of_gradient(&mut self, gradient: &Gradient, tested: Option<&ChangeTest>, unscaled: Option<Image>) -> Confidence {
+        let node = self.node("history_confidence", "");
         let pass = pass(&node, &shaders::HISTORY_CONFIDENCE_SOURCE_0)
+            .bind_some("other_confidence", tested.map(|tested| tested.confidence.image()))
+            .bind_some("steadiness", tested.and_then(|tested| tested.steadiness).map(|steadiness| steadiness.image()));
+        self.add_history_confidence(pass, gradient, unscaled)
+    }
+
+    fn add_history_confidence(&mut self, pass: Pass, gradient: &Gradient, unscaled: Option<Image>) -> Confidence {
+        let confidence = self.confidence_image("history_confidence");
+        let pass = pass
             .constant("STRATUM_SIZE", gradient.stratum_size)
             .bind("gradient", gradient.image)
             .bind_some("light_ratio", gradient.light_ratio.map(|ratio| ratio.image))
-            .bind_some("other_confidence", tested.map(|tested| tested.confidence.image()))
             .bind("history_confidence", confidence)
-            .bind_some("unscaled_confidence", unscaled)
-            .bind_some("steadiness", tested.and_then(|tested| tested.steadiness).map(|steadiness| steadiness.image()));
+            .bind_some("unscaled_confidence", unscaled);
         self.add(pass);
         Port::of(self.refreshed(confidence))
     }

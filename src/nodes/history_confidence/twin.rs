@@ -1,5 +1,6 @@
 //! The stage `history_confidence` \[ASVGF 3.5, eq. 14\]: how far the history of a pixel is still true.
 
+use crate::nodes::change_test::twin::change_test;
 use crate::reference::bindings::Bindings;
 use crate::reference::blocks::Blocks;
 use crate::reference::compare::Rule;
@@ -88,19 +89,31 @@ fn change(tuning: &Tuning, [change, brightest, ..]: [f32; 4]) -> f32 {
 /// How what it writes is compared with the GPU.
 pub(crate) const RULES: &[Rule] = &[pixels("history_confidence", HALF), pixels("unscaled_confidence", HALF)];
 
+fn gradient_input<'a>(
+    b: &'a Bindings,
+    other: Option<&'a Image<f32>>,
+    steadiness: Option<&'a Image<f32>>,
+) -> Result<HistoryConfidenceInput<'a>, Error> {
+    let (gradient, light_ratio) = (b.colour("gradient")?, b.optional_colour("light_ratio")?);
+    Ok(HistoryConfidenceInput::Gradient { gradient, stratum_size: b.stratum_size()?, light_ratio, other, steadiness })
+}
+
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
-    let input = match b.optional_colour("confidence")? {
-        Some(host) => HistoryConfidenceInput::Confidence(host),
-        None => HistoryConfidenceInput::Gradient {
-            gradient: b.colour("gradient")?,
-            stratum_size: b.stratum_size()?,
-            light_ratio: b.optional_colour("light_ratio")?,
-            other: b.optional_scalar("other_confidence")?,
-            steadiness: b.optional_scalar("steadiness")?,
-        },
+    let extent = b.extent_of("history_confidence")?;
+    let tested = match b.has("block_difference_0") {
+        true => Some(change_test(b.frame, b.tuning, extent, &b.packed_signals("block_difference")?)),
+        false => None,
     };
-    let outputs = history_confidence(b.frame, b.tuning, b.extent_of("history_confidence")?, input);
+    let input = match (b.optional_colour("confidence")?, &tested) {
+        (Some(host), _) => HistoryConfidenceInput::Confidence(host),
+        (None, None) => gradient_input(b, b.optional_scalar("other_confidence")?, b.optional_scalar("steadiness")?)?,
+        (None, Some(tested)) => {
+            let steadiness = (b.constant("TEST")? == 2).then_some(&tested.steadiness);
+            gradient_input(b, Some(&tested.history_confidence), steadiness)?
+        }
+    };
+    let outputs = history_confidence(b.frame, b.tuning, extent, input);
     b.write("history_confidence", outputs.history_confidence)?;
     if b.has("unscaled_confidence") {
         b.write("unscaled_confidence", outputs.unscaled_confidence)?;
