@@ -293,22 +293,18 @@ float frames_by_light(Centre c, vec2 position, Past past, float agrees, bool by_
     [[dont_unroll]] for (int i = 0; i < AGREEMENT_SIDE * AGREEMENT_SIDE; ++i) {
         ivec2 offset = ivec2(i % AGREEMENT_SIDE, i / AGREEMENT_SIDE) - AGREEMENT_REACH, q = c.mirror.p + offset, before = q + shift;
         if (offset.x == -AGREEMENT_REACH) logs.row = 0;
-        ivec2 tap = nearest_inside(q), tap_before = nearest_inside_previous(before);
-        vec4 value = texelFetch(noisy, tap, 0);
-        GuideBits packed = GuideBits(packed_at(guide, tap));
-        bool is_seen = q == tap && before == tap_before && value.a >= 0.0;
-        is_seen = is_seen && guide_depth(packed) != 0.0 && guide_id(packed) == guide_id(c.mirror.packed);
-        vec3 then = half_range(texelFetch(history, tap_before, 0).rgb * frame.exposure_ratio);
-        // Without a branch: software Vulkan masks it, and then reads images a lane at a time.
-        vec3 difference = is_seen ? value.rgb - then : vec3(0.0);
-        sum += difference;
-        squares += difference * difference;
-        count += is_seen ? 1.0 : 0.0;
-        if (!by_logs) continue;
-        if (!is_seen) {
+        bool exists = is_inside(q) && is_inside_previous(before);
+        vec4 value = texelFetch(noisy, nearest_inside(q), 0);
+        GuideBits packed = GuideBits(packed_at(guide, nearest_inside(q)));
+        if (!exists || value.a < 0.0 || guide_depth(packed) == 0.0 || guide_id(packed) != guide_id(c.mirror.packed)) {
             logs.row = 0;
             continue;
         }
+        vec3 then = half_range(texelFetch(history, before, 0).rgb * frame.exposure_ratio), difference = value.rgb - then;
+        sum += difference;
+        squares += difference * difference;
+        count += 1.0;
+        if (!by_logs) continue;
         float weight = max(abs(offset.x), abs(offset.y)) < AGREEMENT_REACH ? 1.0 : RING_WEIGHT;
         add_pair(logs, log2(luminance(value.rgb) + dark), log2(luminance(then) + dark), weight);
     }
