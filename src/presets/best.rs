@@ -4,8 +4,8 @@ use super::past::{albedo, Past};
 use super::specular::{beside, compared, filtered, Specular};
 use super::{compared_with_history, gradient_samples, noisy, usual_light, Denoised};
 use crate::config::{Config, Signals};
-use crate::graph::{Difference, Feedback, Gradient, Graph, Guides};
-use crate::nodes::{Accumulation, Atrous, Confidences, Demodulate, Estimator, Intermediates, Kernel, LuminanceWeight, Variance};
+use crate::graph::{Feedback, Graph, Guides};
+use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Intermediates, Kernel, LuminanceWeight, Variance};
 
 /// Parameters of [`best_with`]: the parts of [`best`] beyond A-SVGF, one by one.
 /// `docs/lab/quality.md` measures the worth of each.
@@ -90,16 +90,26 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
         (false, None) => (irradiance, None),
     };
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
-    let Confidences { scaled: confidence, unscaled } = match &gradient {
-        Some(gradient) => confidences(g, gradient, difference, config.signals),
-        None => Confidences::equal(g.host_confidence()),
+    let confidence = match (&gradient, &difference) {
+        (Some(gradient), Some(difference)) => g.tested_confidence(gradient, difference),
+        (Some(gradient), None) => g.history_confidence(gradient, None),
+        (None, _) => g.host_confidence(),
     };
     let light_ratio = gradient.and_then(|gradient| gradient.light_ratio());
     let accumulation = Accumulation { confidence: Some(confidence), sharp: best.sharp, light_ratio, ..Accumulation::default() };
     let (accumulated, mixed) = past.accumulated(g, guides, &irradiance, accumulation);
     let Best { variance, feedback, spatial, .. } = best;
     let estimate = g.variance(guides, &accumulated, &history, variance);
-    let specular = Specular { feedback, variance, sharp: best.sharp, samples, confidence: Some(unscaled), ..Specular::default() };
+    let specular = Specular {
+        feedback,
+        variance,
+        sharp: best.sharp,
+        samples,
+        confidence: Some(confidence),
+        gradient,
+        change_test: best.change_test,
+        ..Specular::default()
+    };
     let specular = beside(g, guides, config, specular);
     let spatial = Atrous { feedback: (feedback == Feedback::Filtered).then_some(history), reflection: mixed, ..spatial };
     let radiance = filtered(g, guides, config, &estimate, spatial, specular);
@@ -113,15 +123,4 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
         ..Intermediates::new(&noisy)
     };
     Denoised { radiance, intermediates }
-}
-
-/// Confidence from gradients, and from the change test where the light's difference from its history is given. That in a history that
-/// nothing scales is of specular light alone.
-fn confidences(g: &mut Graph, gradient: &Gradient, difference: Option<Difference>, signals: Signals) -> Confidences {
-    let both = signals == Signals::Specular;
-    match difference {
-        Some(difference) => g.tested_confidences(gradient, &difference, both),
-        None if both => g.history_confidences(gradient, None),
-        None => Confidences::equal(g.history_confidence(gradient, None)),
-    }
 }
