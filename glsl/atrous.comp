@@ -6,10 +6,10 @@
 // OURS: the luminance weight is a Gauss curve over deviations of means, which taps share; some of what it refuses stays on the centre, so that
 // rare light keeps its mean. Else [SVGF] eq. 5. VOLUME: steered by the depth of the surface behind alone, and less strictly [PSVGF]; the
 // background takes part. LAST: of a volume, what goes out: in the exposure of the host.
-// With SPECULAR no wider than the lobe of the surface blurs what is seen in it: by its radius on the screen, by normals within it, and by
-// hit distance [ours]; a mirror is not filtered at all.
+// With SPECULAR the last signal no wider than the lobe of the surface blurs what is seen in it: by its radius on the screen, by normals within it,
+// and by hit distance [ours]; a mirror is not filtered at all.
 // optional: material_class
-// variants: SIGNALS=1 SIGNALS=2 SIGNALS=1,SPECULAR=1
+// variants: SIGNALS=1 SIGNALS=2 SIGNALS=1,SPECULAR=1 SIGNALS=2,SPECULAR=1
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
@@ -37,32 +37,45 @@ layout(push_constant) uniform Push {
 #include "viewport.glsl"
 #include "centre_geometry.glsl"
 #include "luminance.glsl"
+// Vulkan guarantees four storage images alone. With two signals and their reflections those are the packed ones: on software Vulkan it costs more to
+// sample them than halves.
+#if SIGNALS == 2 && defined(SPECULAR)
+#define PACKED_IN_STORAGE
+#define INPUT(number, name) layout(set = 0, binding = number) uniform texture2D name
+#define input_at(name, pixel) texelFetch(name, pixel, 0)
+#else
+#define INPUT(number, name) layout(set = 0, binding = number, rgba16f) uniform restrict readonly image2D name
+#define input_at(name, pixel) imageLoad(name, pixel)
+#endif
 #include "packed_image.glsl"
 #ifdef SPECULAR
 #include "reflection.glsl"
 #endif
 
-// Storage images are read, not sampled ones, for the reasons that packed_image.glsl has.
+// Storage images are read where there may be as many, for the reasons that packed_image.glsl has.
 PACKED_IMAGE(1, guide);
 layout(set = 0, binding = 2) uniform utexture2D depth_gradient;
 const uint INPUT_0 = 3u;
 const uint OUTPUT_0 = 4u;
 const uint INPUT_1 = 5u;
 const uint OUTPUT_1 = 6u;
-layout(set = 0, binding = INPUT_0, rgba16f) uniform restrict readonly image2D input_0;
+INPUT(INPUT_0, input_0);
 layout(set = 0, binding = OUTPUT_0, rgba16f) uniform writeonly image2D output_0;
 #if SIGNALS == 2
-layout(set = 0, binding = INPUT_1, rgba16f) uniform restrict readonly image2D input_1;
+INPUT(INPUT_1, input_1);
 layout(set = 0, binding = OUTPUT_1, rgba16f) uniform writeonly image2D output_1;
 #endif
 
-#ifdef SPECULAR
-PACKED_IMAGE_32(5, reflection);
-const uint MATERIAL_CLASS = 6u;
-#elif SIGNALS == 2
-const uint MATERIAL_CLASS = 7u;
+#if SIGNALS == 2
+const uint REFLECTION = 7u;
 #else
-const uint MATERIAL_CLASS = 5u;
+const uint REFLECTION = 5u;
+#endif
+#ifdef SPECULAR
+PACKED_IMAGE_32(REFLECTION, reflection);
+const uint MATERIAL_CLASS = REFLECTION + 1u;
+#else
+const uint MATERIAL_CLASS = REFLECTION;
 #endif
 layout(set = 0, binding = MATERIAL_CLASS) uniform utexture2D material_class;
 #include "material.glsl"
@@ -95,6 +108,14 @@ int index_of(ivec2 offset) { return TAPS / 2 + 5 * offset.y + offset.x; }
 
 // Log2 of the weight of what does not exist or is background.
 const float REFUSED = -1e4;
+
+// Of the geometry; without OURS in powers of 2, as the luminance weight is to be added.
+const float CENTRE_WEIGHT = OURS ? 1.0 : 0.0;
+
+float weight_of(bool counts, float log2_weight) {
+    if (OURS) return counts ? exp2(log2_weight) : 0.0;
+    return counts ? log2_weight : REFUSED;
+}
 
 struct Sum {
     vec3 irradiance;
@@ -157,12 +178,12 @@ vec2 variances_beside(ivec2 p) {
         [[unroll]] for (int x = -1; x <= 1; ++x) {
             ivec2 q = p + ivec2(x, y), tap = nearest_inside(q);
             float kernel = q == tap ? 0.25 / float(1 << (abs(x) + abs(y))) : 0.0;
-            float deviation = imageLoad(input_0, host_pixel(INPUT_0, tap)).a;
+            float deviation = input_at(input_0, host_pixel(INPUT_0, tap)).a;
             // In the background it is negative.
             float weight = deviation >= 0.0 ? kernel : 0.0;
             sum.x += weight * deviation * deviation;
 #if SIGNALS == 2
-            deviation = imageLoad(input_1, host_pixel(INPUT_1, tap)).a;
+            deviation = input_at(input_1, host_pixel(INPUT_1, tap)).a;
             sum.y += weight * deviation * deviation;
 #endif
             weight_sum += weight;
@@ -212,9 +233,9 @@ float log2_lobe_weight(Lobe lobe, ivec2 offset, ivec2 tap, GuideBits packed_tap)
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
-    vec4 value_0 = imageLoad(input_0, host_pixel(INPUT_0, p));
+    vec4 value_0 = input_at(input_0, host_pixel(INPUT_0, p));
 #if SIGNALS == 2
-    vec4 value_1 = imageLoad(input_1, host_pixel(INPUT_1, p));
+    vec4 value_1 = input_at(input_1, host_pixel(INPUT_1, p));
 #endif
     GuideBits packed = GuideBits(packed_at(guide, p));
     if (!is_filtered(packed)) {
@@ -231,12 +252,16 @@ void main() {
     geometry.surface.gradient *= material.depth;
     geometry.surface.normal_sharpness /= material.normal;
 #ifdef SPECULAR
-    Lobe lobe = lobe_of(p, packed, geometry.surface);
+    Geometry glossy = geometry;
+    Lobe lobe = lobe_of(p, packed, glossy.surface);
 #endif
     int step_size = step_of(push.level);
-    // Of the geometry; without OURS in powers of 2, as the luminance weight is to be added.
-    float weights[TAPS];
-    weights[index_of(ivec2(0))] = OURS ? 1.0 : 0.0;
+    float weights_0[TAPS];
+    weights_0[index_of(ivec2(0))] = CENTRE_WEIGHT;
+#if SIGNALS == 2
+    float weights_1[TAPS];
+    weights_1[index_of(ivec2(0))] = CENTRE_WEIGHT;
+#endif
     // With OURS, where they are needed twice.
     vec4 values_0[TAPS];
     values_0[index_of(ivec2(0))] = value_0;
@@ -253,28 +278,35 @@ void main() {
             [[unroll]] for (int side = 1; side >= -1; side -= 2) {
                 ivec2 q = p + side * offset, tap = any_inside(q);
                 GuideBits packed_q = GuideBits(packed_at(guide, tap));
-                float weight = log2_weight(geometry, packed_q, sharpness);
-#ifdef SPECULAR
-                weight += log2_lobe_weight(lobe, offset, tap, packed_q);
-#endif
                 int i = index_of(side * ivec2(x, y));
                 bool counts = q == tap && takes_part(geometry, packed_q);
-                if (OURS) {
-                    weights[i] = counts ? exp2(weight) : 0.0;
-                    values_0[i] = imageLoad(input_0, host_pixel(INPUT_0, tap));
+#if !defined(SPECULAR)
+                weights_0[i] = weight_of(counts, log2_weight(geometry, packed_q, sharpness));
 #if SIGNALS == 2
-                    values_1[i] = imageLoad(input_1, host_pixel(INPUT_1, tap));
+                weights_1[i] = weights_0[i];
 #endif
-                } else {
-                    weights[i] = counts ? weight : REFUSED;
+#else
+                float last = weight_of(counts, log2_weight(glossy, packed_q, sharpness) + log2_lobe_weight(lobe, offset, tap, packed_q));
+#if SIGNALS == 2
+                weights_0[i] = weight_of(counts, log2_weight(geometry, packed_q, sharpness));
+                weights_1[i] = last;
+#else
+                weights_0[i] = last;
+#endif
+#endif
+                if (OURS) {
+                    values_0[i] = input_at(input_0, host_pixel(INPUT_0, tap));
+#if SIGNALS == 2
+                    values_1[i] = input_at(input_1, host_pixel(INPUT_1, tap));
+#endif
                 }
             }
         }
     vec2 beside = OURS ? vec2(0.0) : variances_beside(p);
-    Centre centre_0 = centre_of(value_0, OURS ? variance_of_taps(values_0, weights) : beside.x);
+    Centre centre_0 = centre_of(value_0, OURS ? variance_of_taps(values_0, weights_0) : beside.x);
     Sum sum_0 = start(value_0);
 #if SIGNALS == 2
-    Centre centre_1 = centre_of(value_1, OURS ? variance_of_taps(values_1, weights) : beside.y);
+    Centre centre_1 = centre_of(value_1, OURS ? variance_of_taps(values_1, weights_1) : beside.y);
     Sum sum_1 = start(value_1);
 #endif
     [[unroll]] for (int y = 0; y <= RADIUS; ++y)
@@ -283,10 +315,10 @@ void main() {
             [[unroll]] for (int side = 1; side >= -1; side -= 2) {
                 ivec2 offset = side * ivec2(x, y), tap = any_inside(p + offset * step_size);
                 int i = index_of(offset);
-                float weight = weights[i], kernel = kernel_at(offset);
-                add_tap(sum_0, OURS ? values_0[i] : imageLoad(input_0, host_pixel(INPUT_0, tap)), centre_0, weight, kernel);
+                float kernel = kernel_at(offset);
+                add_tap(sum_0, OURS ? values_0[i] : input_at(input_0, host_pixel(INPUT_0, tap)), centre_0, weights_0[i], kernel);
 #if SIGNALS == 2
-                add_tap(sum_1, OURS ? values_1[i] : imageLoad(input_1, host_pixel(INPUT_1, tap)), centre_1, weight, kernel);
+                add_tap(sum_1, OURS ? values_1[i] : input_at(input_1, host_pixel(INPUT_1, tap)), centre_1, weights_1[i], kernel);
 #endif
             }
         }

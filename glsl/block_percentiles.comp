@@ -38,6 +38,8 @@ const float NO_PIXEL = 1e30;
 
 shared float keys[BLOCK_PIXELS];
 shared float sorted_keys[BLOCK_PIXELS];
+// Pixels that take part.
+shared uint pixels;
 // Pixels of a cluster, less those that are scattered.
 shared int clumped;
 
@@ -50,6 +52,8 @@ void sort_by_counting(uint i) {
         rank += uint(other < key || (other == key && j < i));
     }
     sorted_keys[rank] = key;
+    // Few blocks lack pixels.
+    if (!(key < NO_PIXEL)) atomicMin(pixels, rank);
     barrier();
 }
 
@@ -76,11 +80,13 @@ void main() {
     uint i = gl_LocalInvocationIndex;
     vec4 texel = takes_part(p) ? texelFetch(irradiance, p, 0) : vec4(-1.0);
     keys[i] = texel.a >= 0.0 ? luminance(texel.rgb) : NO_PIXEL;
-    if (i == 0u) clumped = 0;
+    if (i == 0u) {
+        clumped = 0;
+        pixels = BLOCK_PIXELS;
+    }
     barrier();
     sort_by_counting(i);
-    uint count = 0u;
-    for (uint j = 0u; j < BLOCK_PIXELS; ++j) count += uint(sorted_keys[j] < NO_PIXEL);
+    uint count = pixels;
     float low = min(push.percentile_low, push.percentile_up);
     vec2 percentiles = vec2(percentile(low, count), percentile(push.percentile_up, count));
     float far_above = CLUMP_EXCESS * percentile(REST_SHARE, count);

@@ -2,8 +2,10 @@
 // Scales outliers down to the brightest luminance that is usual around them, before they reach the history, and spreads what that takes
 // over the block.
 // Source: [PSVGF], firefly filter. Deviation: what is cut off is not lost, but for what would show as a bright block.
-// In:  guide, firefly_limits. In place: irradiance, still noisy, own block only.
+// In:  guide, firefly_limits. In place: irradiance, still noisy, own block only. With DIFFERENCE also what block_difference.comp reads, and its
+//      block_difference of the irradiance that is left: a block is read once for both.
 // Constants: VOLUME: of every pixel, whatever the guide says.
+// variants: DIFFERENCE=0 DIFFERENCE=1
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
@@ -12,6 +14,9 @@ layout(constant_id = 1) const bool VOLUME = false;
 
 layout(push_constant) uniform Push {
     float firefly_spread;
+#if DIFFERENCE
+    float depth_tolerance;
+#endif
 } push;
 
 #include "frame.glsl"
@@ -21,9 +26,24 @@ layout(push_constant) uniform Push {
 
 layout(local_size_x = ROW_PIXELS) in;
 
+#if DIFFERENCE
+layout(set = 0, binding = 1, rgba16ui) uniform restrict readonly uimage2D guide;
+#define guide_at(p) imageLoad(guide, p)
+#else
 layout(set = 0, binding = 1) uniform utexture2D guide;
+#define guide_at(p) texelFetch(guide, p, 0)
+#endif
 layout(set = 0, binding = 2) uniform utexture2D firefly_limits;
 layout(set = 0, binding = 3, rgba16f) uniform image2D irradiance;
+#if DIFFERENCE
+layout(set = 0, binding = 4) uniform utexture2D previous_guide;
+layout(set = 0, binding = 5) uniform utexture2D surface_motion;
+layout(set = 0, binding = 6) uniform utexture2D depth_gradient;
+layout(set = 0, binding = 7, rgba16f) uniform restrict readonly image2D history;
+layout(set = 0, binding = 8) uniform utexture2D previous_luminance_history;
+layout(set = 0, binding = 9, rgba16ui) uniform writeonly uimage2D block_difference;
+#include "block_difference.glsl"
+#endif
 
 // Of a cluster, in shares of what one outlier spreads at most: more would show.
 const float CLUSTER_SPREAD = 0.5;
@@ -33,7 +53,7 @@ shared vec4 columns[ROW_PIXELS];
 
 // A hole has no sample yet.
 bool takes_part(ivec2 p, vec4 value) {
-    return is_inside(p) && value.a >= 0.0 && (VOLUME || guide_depth(GuideBits(texelFetch(guide, p, 0))) != 0.0);
+    return is_inside(p) && value.a >= 0.0 && (VOLUME || guide_depth(GuideBits(guide_at(p))) != 0.0);
 }
 
 // The share of a luminance that is kept. The pixels of a cluster add up: the further they are above the limit, the less of each is left.
@@ -59,7 +79,7 @@ vec4 column_of(ivec2 top) {
     return sum;
 }
 
-void main() {
+void cut_outliers() {
     ivec2 top = ivec2(gl_GlobalInvocationID.x, gl_WorkGroupID.y * uint(BLOCK_SIZE));
     uint i = gl_LocalInvocationIndex;
     columns[i] = column_of(top);
@@ -79,4 +99,12 @@ void main() {
         if (!takes_part(p, value)) continue;
         imageStore(irradiance, p, vec4(storable(value.rgb * kept_share(luminance(value.rgb), limit) + spread), value.a));
     }
+}
+
+void main() {
+    cut_outliers();
+#if DIFFERENCE
+    // Of the pixels that this invocation has written itself.
+    write_block_difference();
+#endif
 }

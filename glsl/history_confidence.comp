@@ -3,10 +3,11 @@
 // Source: [ASVGF] 3.5, eq. 14: λ = |δ| / Δ, and its maximum over 3x3 pixels; confidence is 1 - λ.
 // In:  SOURCE 0: gradient, δ and Δ per stratum; light_ratio: history that it scales is true again; other_confidence, of which those pixels
 //      take theirs that no gradient is known for; steadiness of blocks, where a gradient is no evidence of change. SOURCE 1: confidence of the
-//      host per pixel. Out: history_confidence, 0..1.
-// Constants: STRATUM_SIZE, with SOURCE 0.
-// optional: light_ratio, other_confidence, steadiness
-// variants: SOURCE=0 SOURCE=1
+//      host per pixel. SOURCE 2: SOURCE 0 with the change test in the place of other_confidence and steadiness, of the block_difference of each
+//      signal. Out: history_confidence, 0..1.
+// Constants: STRATUM_SIZE, with SOURCE 0 and 2.
+// optional: light_ratio, other_confidence, steadiness, block_difference_1
+// variants: SOURCE=0 SOURCE=1 SOURCE=2
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
@@ -14,15 +15,24 @@
 #include "viewport.glsl"
 #include "finite.glsl"
 
+#if SOURCE == 2
+#include "blocks.glsl"
+layout(local_size_x = ROW_PIXELS) in;
+#else
 layout(local_size_x = 8, local_size_y = 8) in;
+#endif
 
 const uint CONFIDENCE = 1u;
 const uint HISTORY_CONFIDENCE = 2u;
 
-#if SOURCE == 0
+#if SOURCE != 1
 layout(push_constant) uniform Push {
     uint present;
     float gradient_scale;
+#if SOURCE == 2
+    float adaptivity;
+    float change_threshold;
+#endif
 } push;
 
 #include "optional.glsl"
@@ -33,17 +43,44 @@ layout(push_constant) uniform Push {
 const uint LIGHT_RATIO = 3u;
 const uint OTHER_CONFIDENCE = 4u;
 const uint STEADINESS = 5u;
+const uint BLOCK_DIFFERENCE_1 = 5u;
 
 layout(set = 0, binding = 1) uniform texture2D gradient;
 layout(set = 0, binding = LIGHT_RATIO) uniform texture2D light_ratio;
+#if SOURCE == 2
+layout(set = 0, binding = 4) uniform utexture2D block_difference_0;
+layout(set = 0, binding = BLOCK_DIFFERENCE_1) uniform utexture2D block_difference_1;
+#else
 layout(set = 0, binding = OTHER_CONFIDENCE) uniform texture2D other_confidence;
 layout(set = 0, binding = STEADINESS) uniform texture2D steadiness;
+#endif
 #else
 layout(set = 0, binding = CONFIDENCE) uniform texture2D confidence;
 #endif
 layout(set = 0, binding = HISTORY_CONFIDENCE, r32f) uniform writeonly image2D history_confidence;
 
-#if SOURCE == 0
+#if SOURCE != 1
+// What is known of changes besides the gradient.
+#if SOURCE == 2
+bool wants_steadiness() { return true; }
+#include "change_test.glsl"
+
+Column tested_column;
+
+bool has_other() { return true; }
+float other_at(ivec2 p) { return tested_confidence(tested_column, ivec2(p.x, p.y - p.y % BLOCK_SIZE), p.y % BLOCK_SIZE); }
+
+float steadiness_of(ivec2 block) {
+    ivec2 place = block - first_block() + 1;
+    return 1.0 - unsteadiness[place.x + place.y * int(CHANGES_WIDTH)];
+}
+#else
+bool wants_steadiness() { return is_present(STEADINESS); }
+bool has_other() { return is_present(OTHER_CONFIDENCE); }
+float other_at(ivec2 p) { return texelFetch(other_confidence, host_pixel(OTHER_CONFIDENCE, p), 0).x; }
+float steadiness_of(ivec2 block) { return texelFetch(steadiness, block, 0).x; }
+#endif
+
 // The strata around a pixel.
 struct Surroundings {
     float change;     // largest λ
@@ -67,8 +104,8 @@ void add_stratum(inout Surroundings around, ivec2 s) {
 float steadiness_at(ivec2 p) {
     BlocksAround around = blocks_around(p);
     ivec2 first = around.first, second = around.second;
-    float upper = mix(texelFetch(steadiness, first, 0).x, texelFetch(steadiness, ivec2(second.x, first.y), 0).x, around.fraction.x);
-    float lower = mix(texelFetch(steadiness, ivec2(first.x, second.y), 0).x, texelFetch(steadiness, second, 0).x, around.fraction.x);
+    float upper = mix(steadiness_of(first), steadiness_of(ivec2(second.x, first.y)), around.fraction.x);
+    float lower = mix(steadiness_of(ivec2(first.x, second.y)), steadiness_of(second), around.fraction.x);
     return mix(upper, lower, around.fraction.y);
 }
 
@@ -78,8 +115,8 @@ float confidence_at(ivec2 p) {
     ivec2 last = min(p + 1, ivec2(frame.render_extent) - 1) / int(STRATUM_SIZE);
     Surroundings around = Surroundings(0.0, 0.0, vec4(65504.0), vec4(0.0));
     [[unroll]] for (int i = 0; i < 4; ++i) add_stratum(around, ivec2((i & 1) == 0 ? first.x : last.x, i < 2 ? first.y : last.y));
-    if (is_present(OTHER_CONFIDENCE) && around.brightest == 0.0) return texelFetch(other_confidence, host_pixel(OTHER_CONFIDENCE, p), 0).x;
-    float change = around.change * (is_present(STEADINESS) ? 1.0 - steadiness_at(p) : 1.0);
+    if (has_other() && around.brightest == 0.0) return other_at(p);
+    float change = around.change * (wants_steadiness() ? 1.0 - steadiness_at(p) : 1.0);
     if (around.least.a > around.largest.a) return 1.0 - change;
     vec3 differences = (around.largest.rgb - around.least.rgb) / max(around.largest.rgb, 1e-6);
     float difference = max(differences.r, max(differences.g, differences.b));
@@ -93,8 +130,22 @@ float confidence_at(ivec2 p) {
 }
 #endif
 
-void main() {
-    ivec2 p = ivec2(gl_GlobalInvocationID.xy);
-    if (!is_inside(p)) return;
+void write_confidence(ivec2 p) {
     imageStore(history_confidence, host_pixel(HISTORY_CONFIDENCE, p), vec4(confidence_at(p), 0.0, 0.0, 0.0));
+}
+
+void main() {
+#if SOURCE == 2
+    load_changes();
+    ivec2 top = ivec2(gl_GlobalInvocationID.x, gl_WorkGroupID.y * uint(BLOCK_SIZE));
+    if (!is_inside(top)) return;
+    tested_column = column_of(top);
+    [[dont_unroll]] for (int y = 0; y < BLOCK_SIZE; ++y) {
+        ivec2 p = top + ivec2(0, y);
+        if (is_inside(p)) write_confidence(p);
+    }
+#else
+    ivec2 p = ivec2(gl_GlobalInvocationID.xy);
+    if (is_inside(p)) write_confidence(p);
+#endif
 }

@@ -116,6 +116,38 @@ pub(crate) static ATROUS_SIGNALS_1_SPECULAR_1: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
+pub(crate) static ATROUS_SIGNALS_2_SPECULAR_1: Shader = Shader {
+    stage: Cow::Borrowed("atrous"), name: Cow::Borrowed("atrous_signals_2_specular_1"), spirv: Cow::Borrowed(include_bytes!("atrous_signals_2_specular_1.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("input_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("output_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("input_1"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("output_1"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 7, name: Cow::Borrowed("reflection"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 8, name: Cow::Borrowed("material_class"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("level"), offset: 4, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("sigma_l"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_n"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_z"), offset: 16, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("volume_sigma_z"), offset: 20, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("specular_blur"), offset: 24, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("KERNEL"), id: 1, scalar: Scalar::Uint, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("OURS"), id: 3, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("LAST"), id: 4, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
+    ]),
+};
 pub(crate) static BLOCK_DIFFERENCE: Shader = Shader {
     stage: Cow::Borrowed("block_difference"), name: Cow::Borrowed("block_difference"), spirv: Cow::Borrowed(include_bytes!("block_difference.spv")), workgroup: [64, 1, 1],
     bindings: Cow::Borrowed(&[
@@ -367,8 +399,8 @@ pub(crate) static FILTER_EXPOSURE: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
     ]),
 };
-pub(crate) static FIREFLY: Shader = Shader {
-    stage: Cow::Borrowed("firefly"), name: Cow::Borrowed("firefly"), spirv: Cow::Borrowed(include_bytes!("firefly.spv")), workgroup: [64, 1, 1],
+pub(crate) static FIREFLY_DIFFERENCE_0: Shader = Shader {
+    stage: Cow::Borrowed("firefly"), name: Cow::Borrowed("firefly_difference_0"), spirv: Cow::Borrowed(include_bytes!("firefly_difference_0.spv")), workgroup: [64, 1, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
@@ -377,6 +409,28 @@ pub(crate) static FIREFLY: Shader = Shader {
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("firefly_spread"), offset: 0, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 1, scalar: Scalar::Bool, default: 0 },
+    ]),
+};
+pub(crate) static FIREFLY_DIFFERENCE_1: Shader = Shader {
+    stage: Cow::Borrowed("firefly"), name: Cow::Borrowed("firefly_difference_1"), spirv: Cow::Borrowed(include_bytes!("firefly_difference_1.spv")), workgroup: [64, 1, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("firefly_limits"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("irradiance"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("previous_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("surface_motion"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 7, name: Cow::Borrowed("history"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 8, name: Cow::Borrowed("previous_luminance_history"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 9, name: Cow::Borrowed("block_difference"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("firefly_spread"), offset: 0, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("depth_tolerance"), offset: 4, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 1, scalar: Scalar::Bool, default: 0 },
@@ -624,6 +678,28 @@ pub(crate) static HISTORY_CONFIDENCE_SOURCE_1: Shader = Shader {
     members: Cow::Borrowed(&[
     ]),
     constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
+    ]),
+};
+pub(crate) static HISTORY_CONFIDENCE_SOURCE_2: Shader = Shader {
+    stage: Cow::Borrowed("history_confidence"), name: Cow::Borrowed("history_confidence_source_2"), spirv: Cow::Borrowed(include_bytes!("history_confidence_source_2.spv")), workgroup: [64, 1, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("gradient"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("history_confidence"), kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("light_ratio"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 4, name: Cow::Borrowed("block_difference_0"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("block_difference_1"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("gradient_scale"), offset: 4, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("adaptivity"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("change_threshold"), offset: 12, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
         SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -1876,4 +1952,4 @@ pub(crate) static VOLUME_POINTS: Shader = Shader {
     ]),
 };
 #[cfg(test)]
-pub(crate) static ALL: &[&Shader] = &[&ATROUS_SIGNALS_1, &ATROUS_SIGNALS_2, &ATROUS_SIGNALS_1_SPECULAR_1, &BLOCK_DIFFERENCE, &BLOCK_PERCENTILES, &CHANGE_TEST, &CLEAR_CLAIMS, &DEBUG_VIEW, &DEMODULATE_LUMINANCE_0, &DEMODULATE_LUMINANCE_1, &EAW_SIGNALS_1, &EAW_SIGNALS_2, &FILL_HOLES, &FILTER_EXPOSURE, &FIREFLY, &FIREFLY_LIMITS_RETURNING_0, &FIREFLY_LIMITS_RETURNING_1, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1, &GRADIENT, &GRADIENT_ATROUS_RATIO_0, &GRADIENT_ATROUS_RATIO_1, &HISTORY_CONFIDENCE_SOURCE_0, &HISTORY_CONFIDENCE_SOURCE_1, &IMPORT_SURFACE_ID_0, &IMPORT_SURFACE_ID_1, &MODULATE_FLOAT_0, &MODULATE_FLOAT_1, &MODULATE_FLOAT_0_UPSAMPLED_1, &MODULATE_FLOAT_1_UPSAMPLED_1, &PERCENTILE_RULE, &REACTIVE_MASK, &RENDERED_GUIDE_SURFACE_ID_0, &RENDERED_GUIDE_SURFACE_ID_1, &SAMPLE_ALBEDO, &SHADOWED_LIGHT_FLOAT_0, &SHADOWED_LIGHT_FLOAT_1, &SPECULAR_ACCUMULATION, &TEMPORAL_ACCUMULATION_SIGNALS_1, &TEMPORAL_ACCUMULATION_SIGNALS_2, &TEMPORAL_UPSCALE_FLOAT_0, &TEMPORAL_UPSCALE_FLOAT_1, &TEMPORAL_UPSCALE_FLOAT_0_SURFACE_ID_0, &TEMPORAL_UPSCALE_FLOAT_0_SURFACE_ID_1, &TEMPORAL_UPSCALE_FLOAT_1_SURFACE_ID_0, &TEMPORAL_UPSCALE_FLOAT_1_SURFACE_ID_1, &TONE_MAP, &UPSAMPLE_NUMBER_0, &UPSAMPLE_NUMBER_1, &VARIANCE_SIGNALS_1, &VARIANCE_SIGNALS_2, &VISIBILITY_ACCUMULATION_MANY_0_COLOUR_0, &VISIBILITY_ACCUMULATION_MANY_0_COLOUR_1, &VISIBILITY_ACCUMULATION_MANY_1_COLOUR_0, &VISIBILITY_ACCUMULATION_MANY_1_COLOUR_1, &VISIBILITY_FILTER_LAST_0_MANY_0_COLOUR_0, &VISIBILITY_FILTER_LAST_1_MANY_0_COLOUR_0, &VISIBILITY_FILTER_LAST_0_MANY_0_COLOUR_1, &VISIBILITY_FILTER_LAST_1_MANY_0_COLOUR_1, &VISIBILITY_FILTER_LAST_0_MANY_1_COLOUR_0, &VISIBILITY_FILTER_LAST_1_MANY_1_COLOUR_0, &VISIBILITY_FILTER_LAST_0_MANY_1_COLOUR_1, &VISIBILITY_FILTER_LAST_1_MANY_1_COLOUR_1, &VISIBILITY_SAMPLES_MANY_0_COLOUR_0, &VISIBILITY_SAMPLES_MANY_0_COLOUR_1, &VISIBILITY_SAMPLES_MANY_1_COLOUR_0, &VISIBILITY_SAMPLES_MANY_1_COLOUR_1, &VOLUME_MOTION_RESOLVE_0, &VOLUME_MOTION_RESOLVE_1, &VOLUME_POINTS, ];
+pub(crate) static ALL: &[&Shader] = &[&ATROUS_SIGNALS_1, &ATROUS_SIGNALS_2, &ATROUS_SIGNALS_1_SPECULAR_1, &ATROUS_SIGNALS_2_SPECULAR_1, &BLOCK_DIFFERENCE, &BLOCK_PERCENTILES, &CHANGE_TEST, &CLEAR_CLAIMS, &DEBUG_VIEW, &DEMODULATE_LUMINANCE_0, &DEMODULATE_LUMINANCE_1, &EAW_SIGNALS_1, &EAW_SIGNALS_2, &FILL_HOLES, &FILTER_EXPOSURE, &FIREFLY_DIFFERENCE_0, &FIREFLY_DIFFERENCE_1, &FIREFLY_LIMITS_RETURNING_0, &FIREFLY_LIMITS_RETURNING_1, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1, &GRADIENT, &GRADIENT_ATROUS_RATIO_0, &GRADIENT_ATROUS_RATIO_1, &HISTORY_CONFIDENCE_SOURCE_0, &HISTORY_CONFIDENCE_SOURCE_1, &HISTORY_CONFIDENCE_SOURCE_2, &IMPORT_SURFACE_ID_0, &IMPORT_SURFACE_ID_1, &MODULATE_FLOAT_0, &MODULATE_FLOAT_1, &MODULATE_FLOAT_0_UPSAMPLED_1, &MODULATE_FLOAT_1_UPSAMPLED_1, &PERCENTILE_RULE, &REACTIVE_MASK, &RENDERED_GUIDE_SURFACE_ID_0, &RENDERED_GUIDE_SURFACE_ID_1, &SAMPLE_ALBEDO, &SHADOWED_LIGHT_FLOAT_0, &SHADOWED_LIGHT_FLOAT_1, &SPECULAR_ACCUMULATION, &TEMPORAL_ACCUMULATION_SIGNALS_1, &TEMPORAL_ACCUMULATION_SIGNALS_2, &TEMPORAL_UPSCALE_FLOAT_0, &TEMPORAL_UPSCALE_FLOAT_1, &TEMPORAL_UPSCALE_FLOAT_0_SURFACE_ID_0, &TEMPORAL_UPSCALE_FLOAT_0_SURFACE_ID_1, &TEMPORAL_UPSCALE_FLOAT_1_SURFACE_ID_0, &TEMPORAL_UPSCALE_FLOAT_1_SURFACE_ID_1, &TONE_MAP, &UPSAMPLE_NUMBER_0, &UPSAMPLE_NUMBER_1, &VARIANCE_SIGNALS_1, &VARIANCE_SIGNALS_2, &VISIBILITY_ACCUMULATION_MANY_0_COLOUR_0, &VISIBILITY_ACCUMULATION_MANY_0_COLOUR_1, &VISIBILITY_ACCUMULATION_MANY_1_COLOUR_0, &VISIBILITY_ACCUMULATION_MANY_1_COLOUR_1, &VISIBILITY_FILTER_LAST_0_MANY_0_COLOUR_0, &VISIBILITY_FILTER_LAST_1_MANY_0_COLOUR_0, &VISIBILITY_FILTER_LAST_0_MANY_0_COLOUR_1, &VISIBILITY_FILTER_LAST_1_MANY_0_COLOUR_1, &VISIBILITY_FILTER_LAST_0_MANY_1_COLOUR_0, &VISIBILITY_FILTER_LAST_1_MANY_1_COLOUR_0, &VISIBILITY_FILTER_LAST_0_MANY_1_COLOUR_1, &VISIBILITY_FILTER_LAST_1_MANY_1_COLOUR_1, &VISIBILITY_SAMPLES_MANY_0_COLOUR_0, &VISIBILITY_SAMPLES_MANY_0_COLOUR_1, &VISIBILITY_SAMPLES_MANY_1_COLOUR_0, &VISIBILITY_SAMPLES_MANY_1_COLOUR_1, &VOLUME_MOTION_RESOLVE_0, &VOLUME_MOTION_RESOLVE_1, &VOLUME_POINTS, ];

@@ -310,6 +310,17 @@ impl History {
         &self.luminance_history[..self.count]
     }
 
+    /// The histories of two signals as one.
+    pub(crate) fn beside(self, second: Self) -> Self {
+        Self {
+            colour: [self.colour[0], second.colour[0]],
+            luminance_history: [self.luminance_history[0], second.luminance_history[0]],
+            new_luminance: [self.new_luminance[0], second.new_luminance[0]],
+            feedback: self.feedback,
+            count: 2,
+        }
+    }
+
     pub(crate) fn new_luminance(&self) -> &[Image] {
         &self.new_luminance[..self.count]
     }

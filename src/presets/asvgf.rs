@@ -1,7 +1,7 @@
 //! Adaptive temporal filtering by temporal gradients \[ASVGF\].
 
 use super::past::{albedo, Past};
-use super::specular::{beside, compared, modulated, Specular};
+use super::specular::{beside, compared, filtered, Specular};
 use super::{box_filter, change_of_light, firefly_filter, gradient_samples, noisy, Denoised};
 use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
@@ -31,11 +31,11 @@ pub fn asvgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let estimate = g.variance(guides, &accumulated, &history, variance);
     let specular = Specular { samples, confidence: Some(change.confidence), ..Specular::default() };
     let specular = beside(g, guides, config, specular);
-    let filtered = g.atrous(guides, &estimate, Atrous { reflection: mixed, ..box_filter(config) });
-    let (radiance, reflection) = modulated(g, guides, config, filtered.into(), specular);
+    let spatial = Atrous { reflection: mixed, ..box_filter(config) };
+    let radiance = filtered(g, guides, config, &estimate, spatial, specular);
     let intermediates = Intermediates {
         history: Some(history),
-        reflection: reflection.or(mixed),
+        reflection: specular.map(|specular| specular.reflection).or(mixed),
         deviation: true,
         confidence: Some(change.confidence),
         gradient: change.gradient,

@@ -1,8 +1,8 @@
 //! The default filter: every part that made pictures better, in one graph.
 
 use super::past::{albedo, Past};
-use super::specular::{beside, compared, modulated, Specular};
-use super::{firefly_filter, gradient_samples, noisy, Denoised};
+use super::specular::{beside, compared, filtered, Specular};
+use super::{compared_with_history, gradient_samples, noisy, usual_light, Denoised};
 use crate::config::{Config, Signals};
 use crate::graph::{Feedback, Graph, Guides};
 use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Intermediates, Kernel, LuminanceWeight, Variance};
@@ -26,9 +26,8 @@ pub struct Best {
     pub sharp: bool,
     /// Default: [`Estimator::OfMean`].
     pub variance: Variance,
-    /// Spatial filter of all light but a separate specular signal; `feedback` sets its own.
-    /// Default: the levels of the configuration with 9 taps, and [`LuminanceWeight::OfMeans`], which
-    /// specular light takes too.
+    /// Spatial filter; `feedback` sets its own.
+    /// Default: the levels of the configuration with 9 taps, and [`LuminanceWeight::OfMeans`].
     pub spatial: Atrous,
 }
 
@@ -79,19 +78,22 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
     let samples = gradients.and_then(|gradients| gradients.samples());
     let demodulate = Demodulate { albedo: albedo(config), gradient, samples, sampling: config.sampling };
     let irradiance = g.demodulate(guides, &noisy, demodulate);
-    let (irradiance, usual) = firefly_filter(g, guides, irradiance, config, best.firefly_filter);
-    let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let past = Past::new(g, config, &irradiance, best.feedback);
     let history = past.history;
-    let confidence = match &gradient {
-        Some(gradient) => {
-            let tested = best.change_test.then(|| {
-                let difference = g.block_difference(guides, &irradiance, &history);
-                g.scope("tested", |g| g.change_and_steadiness(&difference))
-            });
-            g.history_confidence(gradient, tested.as_ref())
+    let usual = best.firefly_filter.then(|| usual_light(g, guides, &irradiance, config));
+    let (irradiance, difference) = match (best.change_test && gradient.is_some(), &usual) {
+        (true, usual) => {
+            let (irradiance, difference) = compared_with_history(g, guides, irradiance, &history, usual.as_ref());
+            (irradiance, Some(difference))
         }
-        None => g.host_confidence(),
+        (false, Some(usual)) => (g.firefly(guides, &irradiance, &usual.limits), None),
+        (false, None) => (irradiance, None),
+    };
+    let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
+    let confidence = match (&gradient, &difference) {
+        (Some(gradient), Some(difference)) => g.tested_confidence(gradient, difference),
+        (Some(gradient), None) => g.history_confidence(gradient, None),
+        (None, _) => g.host_confidence(),
     };
     let light_ratio = gradient.and_then(|gradient| gradient.light_ratio());
     let accumulation = Accumulation { confidence: Some(confidence), sharp: best.sharp, light_ratio, ..Accumulation::default() };
@@ -101,7 +103,6 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
     let specular = Specular {
         feedback,
         variance,
-        luminance_weight: spatial.luminance_weight,
         sharp: best.sharp,
         samples,
         confidence: Some(confidence),
@@ -110,15 +111,11 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
         ..Specular::default()
     };
     let specular = beside(g, guides, config, specular);
-    let filtered = g.atrous(
-        guides,
-        &estimate,
-        Atrous { feedback: (feedback == Feedback::Filtered).then_some(history), reflection: mixed, ..spatial },
-    );
-    let (radiance, reflection) = modulated(g, guides, config, filtered.into(), specular);
+    let spatial = Atrous { feedback: (feedback == Feedback::Filtered).then_some(history), reflection: mixed, ..spatial };
+    let radiance = filtered(g, guides, config, &estimate, spatial, specular);
     let intermediates = Intermediates {
         history: Some(history),
-        reflection: reflection.or(mixed),
+        reflection: specular.map(|specular| specular.reflection).or(mixed),
         deviation: true,
         confidence: Some(confidence),
         gradient,

@@ -23,7 +23,8 @@ pub fn eaw(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
             let irradiance =
                 g.demodulate(guides, &noisy, Demodulate { albedo: Albedo::Specular, sampling, ..Demodulate::default() });
             let specular = g.eaw(guides, &irradiance, Eaw { levels, weights, sampling, ..Eaw::default() });
-            sum(g, guides, config, &filtered, &specular)
+            let both = g.pair(&filtered, &specular);
+            sum(g, guides, config, &both)
         }
         _ => g.modulate(guides, &filtered, modulate(config)),
     };

@@ -1,8 +1,8 @@
 //! The cheapest filter that follows changing light.
 
 use super::past::{albedo, Past};
-use super::specular::{beside, modulated, Specular};
-use super::{box_filter, firefly_filter, noisy, Denoised};
+use super::specular::{beside, filtered, Specular};
+use super::{box_filter, compared_with_history, noisy, usual_light, Denoised};
 use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
 use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Intermediates, Variance};
@@ -16,26 +16,26 @@ pub fn fast(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     fast_with(g, guides, config, box_filter(config))
 }
 
-/// [`fast`] with a different spatial filter of all light but a separate specular signal.
+/// [`fast`] with a different spatial filter.
 pub fn fast_with(g: &mut Graph, guides: &Guides, config: &Config, spatial: Atrous) -> Denoised {
     let noisy = noisy(g, config.signals);
     let irradiance =
         g.demodulate(guides, &noisy, Demodulate { albedo: albedo(config), sampling: config.sampling, ..Demodulate::default() });
-    let (irradiance, usual) = firefly_filter(g, guides, irradiance, config, config.firefly_filter);
-    let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let past = Past::new(g, config, &irradiance, Feedback::Accumulated);
     let history = past.history;
-    let difference = g.block_difference(guides, &irradiance, &history);
+    let usual = config.firefly_filter.then(|| usual_light(g, guides, &irradiance, config));
+    let (irradiance, difference) = compared_with_history(g, guides, irradiance, &history, usual.as_ref());
+    let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let confidence = g.change_test(&difference);
     let accumulation = Accumulation { confidence: Some(confidence), ..Accumulation::default() };
     let (accumulated, mixed) = past.accumulated(g, guides, &irradiance, accumulation);
     let estimate = g.variance(guides, &accumulated, &history, Variance { estimator: Estimator::OfMean, ..Variance::default() });
     let specular = beside(g, guides, config, Specular { difference: Some(difference), ..Specular::default() });
-    let filtered = g.atrous(guides, &estimate, Atrous { reflection: mixed, ..spatial });
-    let (radiance, reflection) = modulated(g, guides, config, filtered.into(), specular);
+    let spatial = Atrous { reflection: mixed, ..spatial };
+    let radiance = filtered(g, guides, config, &estimate, spatial, specular);
     let intermediates = Intermediates {
         history: Some(history),
-        reflection: reflection.or(mixed),
+        reflection: specular.map(|specular| specular.reflection).or(mixed),
         deviation: true,
         confidence: Some(confidence),
         usual,

@@ -32,7 +32,7 @@ pub use volume::volume;
 use crate::config::{Config, PostProcess, Preset, Signals};
 use crate::contract::Declaration;
 use crate::error::Error;
-use crate::graph::{Graph, Guides, Image, Irradiance, Radiance, Visibility};
+use crate::graph::{Difference, Graph, Guides, History, Image, Irradiance, Radiance, Visibility};
 use crate::nodes::visibility_filter::OUTPUTS;
 use crate::nodes::{Atrous, Import, Intermediates, Kernel, LuminanceWeight, TemporalUpscale, Usual};
 use visibility::{ambient, ambient_accumulated, visibility, visibility_accumulated};
@@ -222,8 +222,22 @@ fn firefly_filter(
     if !is_on {
         return (irradiance, None);
     }
-    let (irradiance, usual) = without_fireflies(g, guides, &irradiance, config);
-    (irradiance, Some(usual))
+    let usual = usual_light(g, guides, &irradiance, config);
+    (g.firefly(guides, &irradiance, &usual.limits), Some(usual))
+}
+
+/// Light without outliers, where their limits are given, and its departure from its history: one pass for both.
+fn compared_with_history(
+    g: &mut Graph,
+    guides: &Guides,
+    irradiance: Irradiance,
+    history: &History,
+    usual: Option<&Usual>,
+) -> (Irradiance, Difference) {
+    match usual {
+        Some(usual) => g.firefly_and_difference(guides, &irradiance, &usual.limits, history),
+        None => (irradiance, g.block_difference(guides, &irradiance, history)),
+    }
 }
 
 /// The spatial filter of presets with a 3×3 box.
@@ -231,12 +245,12 @@ fn box_filter(config: &Config) -> Atrous {
     Atrous { levels: config.levels(), kernel: Kernel::Box, luminance_weight: LuminanceWeight::OfMeans, ..Atrous::default() }
 }
 
-/// Takes outliers out. Light that returns stays, where the preset has a history.
-fn without_fireflies(g: &mut Graph, guides: &Guides, irradiance: &Irradiance, config: &Config) -> (Irradiance, Usual) {
+/// Luminances above which light is an outlier. That of light that returns is none, where the preset has a history.
+fn usual_light(g: &mut Graph, guides: &Guides, irradiance: &Irradiance, config: &Config) -> Usual {
     let percentiles = g.block_percentiles(guides, irradiance);
     let limits = match config.has_surface_history() {
         true => g.firefly_limits(guides, irradiance, &percentiles),
         false => g.firefly_limits_of_frame(irradiance, &percentiles),
     };
-    (g.firefly(guides, irradiance, &limits), Usual { percentiles, limits })
+    Usual { percentiles, limits }
 }

@@ -1,8 +1,8 @@
 //! Percentile-based adaptive SVGF [PSVGF].
 
 use super::past::{albedo, Past};
-use super::specular::{beside, modulated, Specular};
-use super::{box_filter, noisy, without_fireflies, Denoised};
+use super::specular::{beside, filtered, Specular};
+use super::{box_filter, compared_with_history, noisy, usual_light, Denoised};
 use crate::config::{AdaptiveRule, Config};
 use crate::graph::{Feedback, Graph, Guides};
 use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Intermediates, Variance};
@@ -15,16 +15,20 @@ pub fn percentile(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let noisy = noisy(g, config.signals);
     let irradiance =
         g.demodulate(guides, &noisy, Demodulate { albedo: albedo(config), sampling: config.sampling, ..Demodulate::default() });
-    let (irradiance, usual) = without_fireflies(g, guides, &irradiance, config);
-    let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let past = Past::new(g, config, &irradiance, Feedback::Accumulated);
     let history = past.history;
-    let (confidence, difference) = match config.adaptive_rule {
-        AdaptiveRule::Percentiles => (g.percentile_rule(guides, &usual.percentiles, &history), None),
+    let usual = usual_light(g, guides, &irradiance, config);
+    let (irradiance, difference) = match config.adaptive_rule {
+        AdaptiveRule::Percentiles => (g.firefly(guides, &irradiance, &usual.limits), None),
         AdaptiveRule::ChangeTest => {
-            let difference = g.block_difference(guides, &irradiance, &history);
-            (g.change_test(&difference), Some(difference))
+            let (irradiance, difference) = compared_with_history(g, guides, irradiance, &history, Some(&usual));
+            (irradiance, Some(difference))
         }
+    };
+    let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
+    let confidence = match &difference {
+        Some(difference) => g.change_test(difference),
+        None => g.percentile_rule(guides, &usual.percentiles, &history),
     };
     let accumulation = Accumulation { confidence: Some(confidence), repair: true, ..Accumulation::default() };
     let (accumulated, mixed) = past.accumulated(g, guides, &irradiance, accumulation);
@@ -33,11 +37,11 @@ pub fn percentile(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let specular = Specular { confidence: Some(confidence), difference, ..Specular::default() };
     let specular = beside(g, guides, config, specular);
     // The 3x3 box costs 9 taps of 25 and pays for the statistics; on the flickering box it is no worse.
-    let filtered = g.atrous(guides, &estimate, Atrous { reflection: mixed, ..box_filter(config) });
-    let (radiance, reflection) = modulated(g, guides, config, filtered.into(), specular);
+    let spatial = Atrous { reflection: mixed, ..box_filter(config) };
+    let radiance = filtered(g, guides, config, &estimate, spatial, specular);
     let intermediates = Intermediates {
         history: Some(history),
-        reflection: reflection.or(mixed),
+        reflection: specular.map(|specular| specular.reflection).or(mixed),
         deviation: true,
         confidence: Some(confidence),
         usual: Some(usual),

@@ -4,7 +4,7 @@ use crate::config::{Config, Signals};
 use crate::graph::{
     Confidence, Difference, Estimate, Feedback, Gradient, GradientSamples, Graph, Guides, History, Irradiance, Radiance, Reflection,
 };
-use crate::nodes::{Albedo, Atrous, Demodulate, Estimator, Kernel, LuminanceWeight, Modulate, SpecularAccumulation, Variance};
+use crate::nodes::{Albedo, Atrous, Demodulate, Estimator, Modulate, SpecularAccumulation, Variance};
 
 /// Parameters of [`specular`], which differ from preset to preset.
 #[derive(Clone, Copy, Debug)]
@@ -13,10 +13,6 @@ pub struct Specular {
     pub feedback: Feedback,
     /// Estimator of the variance.
     pub variance: Variance,
-    /// Kernel of the wavelet levels.
-    pub kernel: Kernel,
-    /// Weight by luminance.
-    pub luminance_weight: LuminanceWeight,
     /// Whether history is read by a cubic: [`SpecularAccumulation::sharp`].
     pub sharp: bool,
     /// Confidence in the history, which no ratio of light scales.
@@ -38,8 +34,6 @@ impl Default for Specular {
         Self {
             feedback: Feedback::Accumulated,
             variance: Variance { estimator: Estimator::OfMean, ..Variance::default() },
-            kernel: Kernel::Box,
-            luminance_weight: LuminanceWeight::OfMeans,
             sharp: false,
             confidence: None,
             difference: None,
@@ -55,17 +49,17 @@ impl Default for Specular {
 pub(super) struct SpecularEstimate {
     estimate: Estimate,
     history: History,
-    reflection: Reflection,
-    parameters: Specular,
+    pub reflection: Reflection,
 }
 
-/// Filters `noisy_specular`: irradiance by the specular albedo, and the reflections in the
-/// surfaces.
+/// Filters `noisy_specular` alone: irradiance by the specular albedo, and the reflections in the
+/// surfaces. `spatial` takes its feedback and its reflections from here.
 ///
-/// It reads `sampling` and `levels` of the configuration.
-pub fn specular(g: &mut Graph, guides: &Guides, config: &Config, specular: Specular) -> (Irradiance, Reflection) {
-    let estimate = estimated(g, guides, config, specular);
-    filtered(g, guides, config, estimate)
+/// It reads `sampling` of the configuration.
+pub fn specular(g: &mut Graph, guides: &Guides, config: &Config, specular: Specular, spatial: Atrous) -> (Irradiance, Reflection) {
+    let SpecularEstimate { estimate, history, reflection } = estimated(g, guides, config, specular);
+    let feedback = (specular.feedback == Feedback::Filtered).then_some(history);
+    (g.atrous(guides, &estimate, Atrous { feedback, reflection: Some(reflection), ..spatial }).into(), reflection)
 }
 
 /// [`estimated`] where the configuration has specular light. Call it before the spatial filter of diffuse light: the images that
@@ -87,49 +81,45 @@ fn estimated(g: &mut Graph, guides: &Guides, config: &Config, specular: Specular
         let both = g.pair(&own, &diffuse);
         Some(g.scope(SCOPE, |g| g.change_test(&both)))
     } else if let Some(gradient) = specular.gradient {
-        let tested = specular.change_test.then(|| {
-            let own = g.block_difference(guides, &irradiance, &history.history);
-            g.scope("tested", |g| g.change_and_steadiness(&own))
-        });
-        Some(g.scope(SCOPE, |g| g.history_confidence(&gradient.without_ratio(), tested.as_ref())))
+        let own = specular.change_test.then(|| g.block_difference(guides, &irradiance, &history.history));
+        Some(g.scope(SCOPE, |g| match own {
+            Some(own) => g.tested_confidence(&gradient.without_ratio(), &own),
+            None => g.history_confidence(&gradient.without_ratio(), None),
+        }))
     } else {
         specular.confidence
     };
     let accumulation = SpecularAccumulation { confidence, sharp, ..SpecularAccumulation::default() };
     let found = g.specular_accumulation(guides, &irradiance, &history, accumulation);
     let estimate = g.variance(guides, &found.accumulated, &history.history, variance);
-    SpecularEstimate { estimate, history: history.history, reflection: found.reflection, parameters: specular }
-}
-
-fn filtered(g: &mut Graph, guides: &Guides, config: &Config, specular: SpecularEstimate) -> (Irradiance, Reflection) {
-    let SpecularEstimate { estimate, history, reflection, parameters } = specular;
-    let Specular { feedback, kernel, luminance_weight, .. } = parameters;
-    let feedback = (feedback == Feedback::Filtered).then_some(history);
-    let shape = Atrous { levels: config.levels(), kernel, luminance_weight, ..Atrous::default() };
-    let atrous = Atrous { feedback, reflection: Some(reflection), ..shape };
-    (g.atrous(guides, &estimate, atrous).into(), reflection)
+    SpecularEstimate { estimate, history: history.history, reflection: found.reflection }
 }
 
 /// Behind the names of nodes that diffuse light has, too.
 const SCOPE: &str = "specular";
 
-/// Radiance of the filtered irradiance of a preset; with specular light, filtered and added, and its reflections.
-pub(super) fn modulated(
+/// Filters the light of a preset and multiplies its albedo back; with specular light both in the same passes.
+pub(super) fn filtered(
     g: &mut Graph,
     guides: &Guides,
     config: &Config,
-    diffuse: Irradiance,
+    estimate: &Estimate,
+    spatial: Atrous,
     specular: Option<SpecularEstimate>,
-) -> (Radiance, Option<Reflection>) {
-    let Some(specular) = specular else { return (g.modulate(guides, &diffuse, modulate(config)), None) };
-    let (reflected, reflection) = filtered(g, guides, config, specular);
-    (sum(g, guides, config, &diffuse, &reflected), Some(reflection))
+) -> Radiance {
+    let Some(specular) = specular else {
+        let filtered = g.atrous(guides, estimate, spatial).into();
+        return g.modulate(guides, &filtered, modulate(config));
+    };
+    let feedback = spatial.feedback.map(|diffuse| diffuse.beside(specular.history));
+    let both = g.pair(estimate, &specular.estimate);
+    let filtered = g.atrous(guides, &both, Atrous { feedback, reflection: Some(specular.reflection), ..spatial }).into();
+    sum(g, guides, config, &filtered)
 }
 
 /// Radiance of diffuse and specular irradiance.
-pub(super) fn sum(g: &mut Graph, guides: &Guides, config: &Config, diffuse: &Irradiance, specular: &Irradiance) -> Radiance {
-    let both = g.pair(diffuse, specular);
-    g.modulate(guides, &both, Modulate { specular: true, ..modulate(config) })
+pub(super) fn sum(g: &mut Graph, guides: &Guides, config: &Config, both: &Irradiance) -> Radiance {
+    g.modulate(guides, both, Modulate { specular: true, ..modulate(config) })
 }
 
 /// Radiance of the whole picture, as the configuration has it.

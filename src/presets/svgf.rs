@@ -1,11 +1,11 @@
 //! Spatiotemporal variance-guided filtering \[SVGF\].
 
 use super::past::{albedo, Past};
-use super::specular::{beside, modulated, Specular};
+use super::specular::{beside, filtered, Specular};
 use super::{firefly_filter, noisy, Denoised};
 use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
-use crate::nodes::{Accumulation, Atrous, Demodulate, Intermediates, Kernel, LuminanceWeight, Variance};
+use crate::nodes::{Accumulation, Atrous, Demodulate, Intermediates, Variance};
 
 /// SVGF: temporal accumulation, variance, à-trous levels of which the first feeds the history back. \[SVGF\] 4.
 ///
@@ -20,25 +20,15 @@ pub fn svgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let history = past.history;
     let (accumulated, mixed) = past.accumulated(g, guides, &irradiance, Accumulation::default());
     let estimate = g.variance(guides, &accumulated, &history, Variance::default());
-    let specular = Specular {
-        feedback: Feedback::Filtered,
-        kernel: Kernel::Spline,
-        variance: Variance::default(),
-        luminance_weight: LuminanceWeight::Published,
-        ..Specular::default()
-    };
+    let specular = Specular { feedback: Feedback::Filtered, variance: Variance::default(), ..Specular::default() };
     let specular = beside(g, guides, config, specular);
-    let filtered = g.atrous(
-        guides,
-        &estimate,
-        Atrous { levels: config.levels(), feedback: Some(history), reflection: mixed, ..Atrous::default() },
-    );
-    let (radiance, reflection) = modulated(g, guides, config, filtered.into(), specular);
+    let spatial = Atrous { levels: config.levels(), feedback: Some(history), reflection: mixed, ..Atrous::default() };
+    let radiance = filtered(g, guides, config, &estimate, spatial, specular);
     Denoised {
         radiance,
         intermediates: Intermediates {
             history: Some(history),
-            reflection: reflection.or(mixed),
+            reflection: specular.map(|specular| specular.reflection).or(mixed),
             deviation: true,
             usual,
             ..Intermediates::new(&noisy)

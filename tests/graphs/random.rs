@@ -163,9 +163,10 @@ fn beside_specular(
         return (filtered, false);
     }
     let feedback = dice.one_of(&[Feedback::Filtered, Feedback::Accumulated]);
-    let parameters = Specular { feedback, kernel: dice.one_of(&Kernel::ALL), confidence, ..Specular::default() };
-    let config = Config { levels: Some(levels(dice)), ..Config::new([8, 8]) };
-    let specular = specular(g, guides, &config, parameters).0;
+    let parameters = Specular { feedback, confidence, ..Specular::default() };
+    let kernel = dice.one_of(&Kernel::ALL);
+    let spatial = Atrous { kernel, levels: levels(dice), luminance_weight: LuminanceWeight::OfMeans, ..Atrous::default() };
+    let specular = specular(g, guides, &Config::new([8, 8]), parameters, spatial).0;
     (g.pair(&filtered, &specular), true)
 }
 

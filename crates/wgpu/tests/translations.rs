@@ -25,6 +25,7 @@ const UNREAD: &[(&str, &[&str])] = &[
             "atrous_signals_1",
             "atrous_signals_1_specular_1",
             "atrous_signals_2",
+            "atrous_signals_2_specular_1",
             "gradient_atrous_ratio_1",
             "modulate_float_0",
             "modulate_float_0_upsampled_1",

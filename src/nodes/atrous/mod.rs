@@ -37,7 +37,7 @@ pub struct Atrous {
     pub luminance_weight: LuminanceWeight,
     /// The history that the first level writes: one with [`crate::graph::Feedback::Filtered`]. Default: none.
     pub feedback: Option<History>,
-    /// Reflections of the surfaces, for one signal of specular light. It is filtered no wider than
+    /// Reflections of the surfaces, if the last signal is specular light. It is filtered no wider than
     /// their lobes. Default: none.
     pub reflection: Option<Reflection>,
     /// Tolerated difference of luminance. Default: [`crate::Tuning::sigma_l`].
@@ -93,7 +93,7 @@ impl Graph {
     pub fn atrous(&mut self, guides: &Guides, estimate: &Estimate, atrous: Atrous) -> Estimate {
         let node = self.node("atrous", &self.label_of(estimate));
         let module = match atrous.reflection {
-            Some(_) => &shaders::ATROUS_SIGNALS_1_SPECULAR_1,
+            Some(_) => by_signals(estimate, &shaders::ATROUS_SIGNALS_1_SPECULAR_1, &shaders::ATROUS_SIGNALS_2_SPECULAR_1),
             None => by_signals(estimate, &shaders::ATROUS_SIGNALS_1, &shaders::ATROUS_SIGNALS_2),
         };
         let levels = Levels { node: &node, count: atrous.levels, feedback: atrous.feedback };

@@ -36,7 +36,7 @@ pub(crate) struct AtrousInputs<'a> {
     pub guide: &'a Image<[u16; 4]>,
     /// The image `depth_gradient`, from the stage `import`.
     pub depth_gradient: &'a Image<u32>,
-    /// What is seen in the surfaces, for specular light.
+    /// What is seen in the surfaces, if the last signal is specular light.
     pub reflection: Option<&'a Image<u32>>,
     /// Irradiance of every signal in rgb, standard deviation of its luminance in alpha.
     pub irradiance: &'a [&'a Image<[f32; 4]>],
@@ -91,7 +91,6 @@ fn filter(
 ) -> Vec<Image<[f32; 4]>> {
     let rect = RenderRect::new(frame.render_extent);
     let step = level.kernel.step(level.number);
-    // Geometry weights cost the most: they are computed once for the two signals that there can be.
     let mut filtered = Vec::with_capacity(irradiance.len());
     for pair in irradiance.chunks(2) {
         let texels = Image::compute(geometry.extent(), frame.render_extent, |p| {
@@ -99,18 +98,23 @@ fn filter(
             if geometry.is_background(p) {
                 return [centre(0), centre(1)];
             }
-            let shown = |q| geometry.weight(p, q) * lobes.map_or(1.0, |lobes| lobes.weight(p, q));
+            // Specular light is the last signal.
+            let lobes_of = |i: usize| lobes.filter(|_| i + 1 == pair.len());
+            let shown = |i, q| geometry.weight(p, q) * lobes_of(i).map_or(1.0, |lobes| lobes.weight(p, q));
             let mut sums: [Sum; 2] = std::array::from_fn(|i| {
                 let variance = pair.get(i).map_or(0.0, |image| match level.luminance_weight {
                     LuminanceWeight::Published => variance_beside(rect, image, p),
-                    LuminanceWeight::OfMeans => variance_of_taps(rect, image, p, step, shown),
+                    LuminanceWeight::OfMeans => variance_of_taps(rect, image, p, step, |q| shown(i, q)),
                 });
                 Sum::new(centre(i), variance.sqrt(), level.luminance_weight, geometry.sigma_l(p))
             });
             for (offset, q) in rect.window(p, level.kernel.radius(), step) {
-                let weight = level.kernel.weight(offset.x, offset.y) * shown(q);
-                if weight > 0.0 {
-                    sums.iter_mut().zip(pair).for_each(|(sum, image)| sum.add(weight, p == q, image.at(q)));
+                let kernel = level.kernel.weight(offset.x, offset.y);
+                for (i, (sum, image)) in sums.iter_mut().zip(pair).enumerate() {
+                    let weight = kernel * shown(i, q);
+                    if weight > 0.0 {
+                        sum.add(weight, p == q, image.at(q));
+                    }
                 }
             }
             sums.map(|sum| sum.mean())

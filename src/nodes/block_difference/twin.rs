@@ -114,16 +114,20 @@ fn difference_of(pairs: &BTreeMap<(i32, i32), Pair>) -> Difference {
 }
 
 /// A pixel whose position or depth lies on its threshold may count on one side alone.
-pub(crate) const RULES: &[Rule] =
-    &[rule("block_difference", Unit::Block, Reading::BlockDifference, Tolerance { absolute: 2e-3, outliers: 2e-2, ..HALF })];
+pub(crate) const DIFFERENCE: Rule =
+    rule("block_difference", Unit::Block, Reading::BlockDifference, Tolerance { absolute: 2e-3, outliers: 2e-2, ..HALF });
+
+/// How what it writes is compared with the GPU.
+pub(crate) const RULES: &[Rule] = &[DIFFERENCE];
+
+/// The departure of an irradiance from the history that a pass binds.
+pub(crate) fn difference_from_history(b: &Bindings, irradiance: &Image<[f32; 4]>) -> Result<Image<[u16; 4]>, Error> {
+    let history = SignalHistory { irradiance: b.colour("history")?, luminance_history: b.packed("previous_luminance_history")? };
+    Ok(block_difference(b.frame, b.tuning, &BlockDifferenceInputs { guides: HistoryGuides::of(b)?, irradiance, history }))
+}
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
-    let inputs = BlockDifferenceInputs {
-        guides: HistoryGuides::of(b)?,
-        irradiance: b.colour("irradiance")?,
-        history: SignalHistory { irradiance: b.colour("history")?, luminance_history: b.packed("previous_luminance_history")? },
-    };
-    let differences = block_difference(b.frame, b.tuning, &inputs);
+    let differences = difference_from_history(b, b.colour("irradiance")?)?;
     b.write("block_difference", differences)
 }

@@ -1,6 +1,7 @@
 //! The stage `firefly` \[PSVGF\]: outliers are scaled down to the brightest luminance that is usual around them, and what that takes is
 //! spread over their block.
 
+use crate::nodes::block_difference::twin::{difference_from_history, DIFFERENCE};
 use crate::nodes::firefly_limits::twin::{limit_at, Limit};
 use crate::reference::binary16::store;
 use crate::reference::bindings::Bindings;
@@ -83,7 +84,7 @@ fn kept_share(l: f32, limit: &Limit) -> f32 {
 }
 
 /// How what it writes is compared with the GPU.
-pub(crate) const RULES: &[Rule] = &[pixels("irradiance", HALF), rounded("irradiance")];
+pub(crate) const RULES: &[Rule] = &[pixels("irradiance", HALF), rounded("irradiance"), DIFFERENCE];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
@@ -93,6 +94,10 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         irradiance: b.colour("irradiance")?,
     };
     let filtered = firefly(b.frame, b.tuning, &inputs);
+    if b.has("block_difference") {
+        let differences = difference_from_history(b, &filtered)?;
+        b.write("block_difference", differences)?;
+    }
     b.write("irradiance", filtered)
 }
 

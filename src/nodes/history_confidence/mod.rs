@@ -4,9 +4,9 @@
 
 pub(crate) mod twin;
 
-use super::{pass, ChangeTest};
-use crate::contract::{Input, Lifetime};
-use crate::graph::{Confidence, Gradient, Graph, Port, CONFIDENCE};
+use super::{pass, ChangeTest, BLOCK_SIZE};
+use crate::contract::{Grid, Input, Lifetime};
+use crate::graph::{Confidence, Difference, Gradient, Graph, Pass, Port, CONFIDENCE};
 use crate::shaders;
 
 impl Graph {
@@ -16,14 +16,28 @@ impl Graph {
     /// re-shaded samples. Where the test is sure that nothing changed, a gradient does not count.
     pub fn history_confidence(&mut self, gradient: &Gradient, tested: Option<&ChangeTest>) -> Confidence {
         let node = self.node("history_confidence", "");
-        let confidence = self.named_image("history_confidence", "", CONFIDENCE, 1, Lifetime::Transient);
         let pass = pass(&node, &shaders::HISTORY_CONFIDENCE_SOURCE_0)
+            .bind_some("other_confidence", tested.map(|tested| tested.confidence.image()))
+            .bind_some("steadiness", tested.and_then(|tested| tested.steadiness).map(|steadiness| steadiness.image()));
+        self.confidence_of(pass, gradient)
+    }
+
+    /// [`Self::history_confidence`] with [`Self::change_and_steadiness`] of `difference` in the same pass.
+    pub(crate) fn tested_confidence(&mut self, gradient: &Gradient, difference: &Difference) -> Confidence {
+        let node = self.node("history_confidence", "");
+        let pass = pass(&node, &shaders::HISTORY_CONFIDENCE_SOURCE_2)
+            .grid(Grid::Columns(BLOCK_SIZE))
+            .each("block_difference", difference.images());
+        self.confidence_of(pass, gradient)
+    }
+
+    fn confidence_of(&mut self, pass: Pass, gradient: &Gradient) -> Confidence {
+        let confidence = self.named_image("history_confidence", "", CONFIDENCE, 1, Lifetime::Transient);
+        let pass = pass
             .constant("STRATUM_SIZE", gradient.stratum_size)
             .bind("gradient", gradient.image)
             .bind_some("light_ratio", gradient.light_ratio.map(|ratio| ratio.image))
-            .bind_some("other_confidence", tested.map(|tested| tested.confidence.image()))
-            .bind("history_confidence", confidence)
-            .bind_some("steadiness", tested.and_then(|tested| tested.steadiness).map(|steadiness| steadiness.image()));
+            .bind("history_confidence", confidence);
         self.add(pass);
         Port::of(self.refreshed(confidence))
     }

@@ -1,5 +1,6 @@
 //! The stage `history_confidence` \[ASVGF 3.5, eq. 14\]: how far the history of a pixel is still true.
 
+use crate::nodes::change_test::twin::change_test;
 use crate::reference::bindings::Bindings;
 use crate::reference::blocks::Blocks;
 use crate::reference::compare::Rule;
@@ -80,17 +81,26 @@ pub(crate) const RULES: &[Rule] = &[pixels("history_confidence", HALF)];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let extent = b.extent_of("history_confidence")?;
+    let tested = match b.has("block_difference_0") {
+        true => Some(change_test(b.frame, b.tuning, extent, &b.packed_signals("block_difference")?)),
+        false => None,
+    };
+    let (other, steadiness) = match &tested {
+        Some(tested) => (Some(&tested.history_confidence), Some(&tested.steadiness)),
+        None => (b.optional_scalar("other_confidence")?, b.optional_scalar("steadiness")?),
+    };
     let input = match b.optional_colour("confidence")? {
         Some(host) => HistoryConfidenceInput::Confidence(host),
         None => HistoryConfidenceInput::Gradient {
             gradient: b.colour("gradient")?,
             stratum_size: b.stratum_size()?,
             light_ratio: b.optional_colour("light_ratio")?,
-            other: b.optional_scalar("other_confidence")?,
-            steadiness: b.optional_scalar("steadiness")?,
+            other,
+            steadiness,
         },
     };
-    let confidence = history_confidence(b.frame, b.tuning, b.extent_of("history_confidence")?, input);
+    let confidence = history_confidence(b.frame, b.tuning, extent, input);
     b.write("history_confidence", confidence)
 }
 
@@ -183,8 +193,7 @@ mod tests {
     #[test]
     fn what_a_host_says_is_bounded() {
         let host = paint([6, 1], |x, _| [[0.25, -1.0, 9.0, f32::NAN, f32::INFINITY, 1.0][x as usize], 0.0, 0.0, 0.0]);
-        let confidence = history_confidence(&frame([6, 1]), &svgf_tuning(), [6, 1], HistoryConfidenceInput::Confidence(&host))
-;
+        let confidence = history_confidence(&frame([6, 1]), &svgf_tuning(), [6, 1], HistoryConfidenceInput::Confidence(&host));
         assert_eq!(confidence.texels(), [0.25, 0.0, 1.0, 1.0, 1.0, 1.0]);
     }
 }

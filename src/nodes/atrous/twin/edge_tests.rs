@@ -140,3 +140,22 @@ fn a_mirror_is_not_filtered_and_the_roughest_surface_as_diffuse_light_is() {
     let distance = |value: f32| (value - diffuse).abs();
     assert!(distance(at(0.3, 0.01)) > 2.0 * distance(at(0.3, 50.0)), "{} {}", at(0.3, 0.01), at(0.3, 50.0));
 }
+
+#[test]
+fn specular_light_beside_diffuse_light_is_filtered_as_it_is_alone() {
+    let extent = [20, 14];
+    let at = camera(extent, glam::Vec3::ZERO);
+    let frame = frame_with(&crate::Config::new(extent), &at, &at);
+    let scene = guides(extent, |x, _| surface(if x < 11 { 4.0 } else { 5.0 }));
+    let reflection = paint(extent, |x, _| pack_reflection(&SeenReflection { hit_distance: 1.0 + x as f32, roughness: 0.4 }, None));
+    let [diffuse, specular] = [3, 8].map(|seed| noise(extent, seed).map(|t| [t[0], t[1], t[2], 4.0]));
+    for luminance_weight in LuminanceWeight::ALL {
+        let filtered = |reflection, irradiance: &[&Image<[f32; 4]>]| {
+            let inputs = AtrousInputs { guide: &scene.guide, depth_gradient: &scene.depth_gradient, reflection, irradiance };
+            atrous(&frame, &svgf_tuning(), AtrousLevel { luminance_weight, ..AtrousLevel::new(1) }, &inputs)
+        };
+        let alone = [filtered(None, &[&diffuse]).remove(0), filtered(Some(&reflection), &[&specular]).remove(0)];
+        assert_ne!(filtered(None, &[&specular])[0], alone[1], "the lobe counts");
+        assert_eq!(filtered(Some(&reflection), &[&diffuse, &specular]), alone);
+    }
+}
