@@ -34,7 +34,7 @@ layout(push_constant) uniform Push {
 #include "cubic.glsl"
 #include "upscale_history.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 32, local_size_y = 2) in;
 
 #ifdef SURFACE_ID
 #include "statistics.glsl"
