@@ -3,9 +3,9 @@
 // Source: [ASVGF] 3.5, eq. 14: λ = |δ| / Δ, and its maximum over 3x3 pixels; confidence is 1 - λ.
 // In:  SOURCE 0: gradient, δ and Δ per stratum; light_ratio: history that it scales is true again; other_confidence, of which those pixels
 //      take theirs that no gradient is known for; steadiness of blocks, where a gradient is no evidence of change. SOURCE 1: confidence of the
-//      host per pixel. Out: history_confidence, 0..1; unscaled_confidence is the same of a history that no ratio of light scales.
+//      host per pixel. Out: history_confidence, 0..1.
 // Constants: STRATUM_SIZE, with SOURCE 0.
-// optional: light_ratio, other_confidence, unscaled_confidence, steadiness
+// optional: light_ratio, other_confidence, steadiness
 // variants: SOURCE=0 SOURCE=1
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -32,13 +32,11 @@ layout(push_constant) uniform Push {
 
 const uint LIGHT_RATIO = 3u;
 const uint OTHER_CONFIDENCE = 4u;
-const uint UNSCALED_CONFIDENCE = 5u;
-const uint STEADINESS = 6u;
+const uint STEADINESS = 5u;
 
 layout(set = 0, binding = 1) uniform texture2D gradient;
 layout(set = 0, binding = LIGHT_RATIO) uniform texture2D light_ratio;
 layout(set = 0, binding = OTHER_CONFIDENCE) uniform texture2D other_confidence;
-layout(set = 0, binding = UNSCALED_CONFIDENCE, r32f) uniform writeonly image2D unscaled_confidence;
 layout(set = 0, binding = STEADINESS) uniform texture2D steadiness;
 #else
 layout(set = 0, binding = CONFIDENCE) uniform texture2D confidence;
@@ -74,35 +72,29 @@ float steadiness_at(ivec2 p) {
     return mix(upper, lower, around.fraction.y);
 }
 
-// In a history that the ratio scales, and in one that nothing scales. The 3x3 pixels lie in at most 2x2 strata; one that is met again changes
-// nothing.
-vec2 confidence_at(ivec2 p) {
+// The 3x3 pixels lie in at most 2x2 strata; one that is met again changes nothing.
+float confidence_at(ivec2 p) {
     ivec2 first = max(p - 1, ivec2(0)) / int(STRATUM_SIZE);
     ivec2 last = min(p + 1, ivec2(frame.render_extent) - 1) / int(STRATUM_SIZE);
     Surroundings around = Surroundings(0.0, 0.0, vec4(65504.0), vec4(0.0));
     [[unroll]] for (int i = 0; i < 4; ++i) add_stratum(around, ivec2((i & 1) == 0 ? first.x : last.x, i < 2 ? first.y : last.y));
-    if (is_present(OTHER_CONFIDENCE) && around.brightest == 0.0) return vec2(texelFetch(other_confidence, host_pixel(OTHER_CONFIDENCE, p), 0).x);
-    // The blocks that are steady are those of the history that the ratio scales.
-    vec2 change = around.change * vec2(is_present(STEADINESS) ? 1.0 - steadiness_at(p) : 1.0, 1.0);
+    if (is_present(OTHER_CONFIDENCE) && around.brightest == 0.0) return texelFetch(other_confidence, host_pixel(OTHER_CONFIDENCE, p), 0).x;
+    float change = around.change * (is_present(STEADINESS) ? 1.0 - steadiness_at(p) : 1.0);
     if (around.least.a > around.largest.a) return 1.0 - change;
     vec3 differences = (around.largest.rgb - around.least.rgb) / max(around.largest.rgb, 1e-6);
     float difference = max(differences.r, max(differences.g, differences.b));
     // Between strata history is scaled by what lies between their ratios.
-    return 1.0 - change * vec2(1.0 - around.least.a * stratum_coherence(difference), 1.0);
+    return 1.0 - change * (1.0 - around.least.a * stratum_coherence(difference));
 }
 #else
-vec2 confidence_at(ivec2 p) {
+float confidence_at(ivec2 p) {
     float value = texelFetch(confidence, host_pixel(CONFIDENCE, p), 0).x;
-    return vec2(is_finite(value) ? clamp(value, 0.0, 1.0) : 1.0);
+    return is_finite(value) ? clamp(value, 0.0, 1.0) : 1.0;
 }
 #endif
 
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
-    vec2 known = confidence_at(p);
-    imageStore(history_confidence, host_pixel(HISTORY_CONFIDENCE, p), vec4(known.x, 0.0, 0.0, 0.0));
-#if SOURCE == 0
-    if (is_present(UNSCALED_CONFIDENCE)) imageStore(unscaled_confidence, host_pixel(UNSCALED_CONFIDENCE, p), vec4(known.y, 0.0, 0.0, 0.0));
-#endif
+    imageStore(history_confidence, host_pixel(HISTORY_CONFIDENCE, p), vec4(confidence_at(p), 0.0, 0.0, 0.0));
 }

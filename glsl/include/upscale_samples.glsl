@@ -5,7 +5,7 @@
 #define UPSCALE_SAMPLES_GLSL
 
 // Pixels of the output, and rows with their samples.
-const int COLUMN = 4;
+const int COLUMN = 2;
 const int ROWS = COLUMN + 2;
 
 // Sharpness of the Gaussian of samples: of a first picture, by squared rendered pixels; of one with a past, by squared pixels of the output.

@@ -602,8 +602,7 @@ pub(crate) static HISTORY_CONFIDENCE_SOURCE_0: Shader = Shader {
         ShaderBinding { number: 2, name: Cow::Borrowed("history_confidence"), kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly), optional: false },
         ShaderBinding { number: 3, name: Cow::Borrowed("light_ratio"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 4, name: Cow::Borrowed("other_confidence"), kind: BindingKind::SampledImage(Component::Float), optional: true },
-        ShaderBinding { number: 5, name: Cow::Borrowed("unscaled_confidence"), kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly), optional: true },
-        ShaderBinding { number: 6, name: Cow::Borrowed("steadiness"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 5, name: Cow::Borrowed("steadiness"), kind: BindingKind::SampledImage(Component::Float), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },

@@ -372,6 +372,11 @@ impl Gradient {
     pub fn light_ratio(&self) -> Option<LightRatio> {
         self.light_ratio
     }
+
+    /// For a history that no ratio of light scales.
+    pub(crate) fn without_ratio(self) -> Self {
+        Self { light_ratio: None, ..self }
+    }
 }
 
 /// Re-shaded pixels, at most one per stratum. \[ASVGF\] 3.1.

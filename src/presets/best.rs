@@ -4,8 +4,8 @@ use super::past::{albedo, Past};
 use super::specular::{beside, compared, modulated, Specular};
 use super::{firefly_filter, gradient_samples, noisy, Denoised};
 use crate::config::{Config, Signals};
-use crate::graph::{Difference, Feedback, Gradient, Graph, Guides};
-use crate::nodes::{Accumulation, Atrous, Confidences, Demodulate, Estimator, Intermediates, Kernel, LuminanceWeight, Variance};
+use crate::graph::{Feedback, Graph, Guides};
+use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Intermediates, Kernel, LuminanceWeight, Variance};
 
 /// Parameters of [`best_with`]: the parts of [`best`] beyond A-SVGF, one by one.
 /// `docs/lab/quality.md` measures the worth of each.
@@ -83,12 +83,15 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let past = Past::new(g, config, &irradiance, best.feedback);
     let history = past.history;
-    let Confidences { scaled: confidence, unscaled } = match &gradient {
+    let confidence = match &gradient {
         Some(gradient) => {
-            let difference = best.change_test.then(|| g.block_difference(guides, &irradiance, &history));
-            confidences(g, gradient, difference, config.signals)
+            let tested = best.change_test.then(|| {
+                let difference = g.block_difference(guides, &irradiance, &history);
+                g.scope("tested", |g| g.change_and_steadiness(&difference))
+            });
+            g.history_confidence(gradient, tested.as_ref())
         }
-        None => Confidences::equal(g.host_confidence()),
+        None => g.host_confidence(),
     };
     let light_ratio = gradient.and_then(|gradient| gradient.light_ratio());
     let accumulation = Accumulation { confidence: Some(confidence), sharp: best.sharp, light_ratio, ..Accumulation::default() };
@@ -101,7 +104,9 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
         luminance_weight: spatial.luminance_weight,
         sharp: best.sharp,
         samples,
-        confidence: Some(unscaled),
+        confidence: Some(confidence),
+        gradient,
+        change_test: best.change_test,
         ..Specular::default()
     };
     let specular = beside(g, guides, config, specular);
@@ -121,14 +126,4 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
         ..Intermediates::new(&noisy)
     };
     Denoised { radiance, intermediates }
-}
-
-/// Confidence from gradients, and from the change test where the light's difference from its history is given. That in a history that
-/// nothing scales is of specular light alone.
-fn confidences(g: &mut Graph, gradient: &Gradient, difference: Option<Difference>, signals: Signals) -> Confidences {
-    let tested = difference.map(|difference| g.scope("tested", |g| g.change_and_steadiness(&difference)));
-    match signals {
-        Signals::Specular => g.history_confidences(gradient, tested.as_ref()),
-        _ => Confidences::equal(g.history_confidence(gradient, tested.as_ref())),
-    }
 }

@@ -2,7 +2,7 @@
 
 use crate::config::{Config, Signals};
 use crate::graph::{
-    Confidence, Difference, Estimate, Feedback, GradientSamples, Graph, Guides, History, Irradiance, Radiance, Reflection,
+    Confidence, Difference, Estimate, Feedback, Gradient, GradientSamples, Graph, Guides, History, Irradiance, Radiance, Reflection,
 };
 use crate::nodes::{Albedo, Atrous, Demodulate, Estimator, Kernel, LuminanceWeight, Modulate, SpecularAccumulation, Variance};
 
@@ -24,6 +24,11 @@ pub struct Specular {
     /// Difference of diffuse light from its history. A change test of it and of specular light then
     /// replaces `confidence`. Default: none.
     pub difference: Option<Difference>,
+    /// Gradient of both signals, which replaces `confidence`. Default: none.
+    pub gradient: Option<Gradient>,
+    /// Whether a change test of specular light replaces unknown gradients, and overrules gradients
+    /// where it is sure that nothing changed. Default: true.
+    pub change_test: bool,
     /// Re-shaded pixels.
     pub samples: Option<GradientSamples>,
 }
@@ -38,6 +43,8 @@ impl Default for Specular {
             sharp: false,
             confidence: None,
             difference: None,
+            gradient: None,
+            change_test: true,
             samples: None,
         }
     }
@@ -75,13 +82,18 @@ fn estimated(g: &mut Graph, guides: &Guides, config: &Config, specular: Specular
     let irradiance = g.demodulate(guides, &noisy, demodulate);
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let history = g.specular_history(&irradiance, feedback);
-    let confidence = match specular.difference {
-        Some(diffuse) => {
+    let confidence = if let Some(diffuse) = specular.difference {
+        let own = g.block_difference(guides, &irradiance, &history.history);
+        let both = g.pair(&own, &diffuse);
+        Some(g.scope(SCOPE, |g| g.change_test(&both)))
+    } else if let Some(gradient) = specular.gradient {
+        let tested = specular.change_test.then(|| {
             let own = g.block_difference(guides, &irradiance, &history.history);
-            let both = g.pair(&own, &diffuse);
-            Some(g.scope(SCOPE, |g| g.change_test(&both)))
-        }
-        None => specular.confidence,
+            g.scope("tested", |g| g.change_and_steadiness(&own))
+        });
+        Some(g.scope(SCOPE, |g| g.history_confidence(&gradient.without_ratio(), tested.as_ref())))
+    } else {
+        specular.confidence
     };
     let accumulation = SpecularAccumulation { confidence, sharp, ..SpecularAccumulation::default() };
     let found = g.specular_accumulation(guides, &irradiance, &history, accumulation);

@@ -126,7 +126,7 @@ fn what_stands_in_for_a_binding_is_always_there_and_of_its_kind() {
 /// Holds names of bindings to those of the resources at them, but for signals by number, ports of filters and images in place.
 #[test]
 fn names_of_bindings_match_those_of_resources() {
-    const RENAMED: [(&str, &[&str]); 32] = [
+    const RENAMED: [(&str, &[&str]); 31] = [
         ("frame", &["frame_constants"]),
         ("rendered_guide", &["guide"]),
         ("input", &["irradiance", "filled_irradiance", "estimate", "atrous_", "denoised_volume"]),
@@ -151,7 +151,6 @@ fn names_of_bindings_match_those_of_resources() {
         ("now_out", &["light_now_even", "light_now_odd"]),
         ("light_ratio", &["light_before_even"]),
         ("other_confidence", &["history_confidence"]),
-        ("history_confidence", &["unscaled_confidence"]),
         ("filter_in", &["visibility_history", "visibility_even", "visibility_odd"]),
         ("filter_out", &["visibility_even", "visibility_odd"]),
         ("noisy_visibility", &["noisy_ambient"]),

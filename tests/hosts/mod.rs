@@ -93,8 +93,16 @@ pub fn checksums(name: &str, output: &Output) -> Vec<String> {
     let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
     let (out, err) = (text(&output.stdout), text(&output.stderr));
     assert!(output.status.success(), "{name}: {}\n{out}\n{err}", output.status);
-    assert!(!out.contains("Validation") && !err.contains("Validation"), "{name}:\n{out}\n{err}");
+    assert!(!out.lines().chain(err.lines()).any(complaint), "{name}:\n{out}\n{err}");
     out.lines().filter(|l| l.contains("checksum")).map(str::to_owned).collect()
+}
+
+/// Whether a line is a message of the layer. An engine asks for the properties that the driver offers; a layer older than the driver
+/// does not know all of their structures.
+fn complaint(line: &str) -> bool {
+    let unknown =
+        line.contains("PhysicalDeviceProperties2-pNext") && line.contains("includes a structure with unknown VkStructureType");
+    line.contains("Validation") && !unknown
 }
 
 fn of_example(name: &str) -> Vec<String> {

@@ -416,9 +416,6 @@ typedef enum AtrousCounter {
 // history_confidence(gradient, [tested])
 #define ATROUS_NODE_HISTORY_CONFIDENCE "history_confidence"
 
-// history_confidences(gradient, [tested])
-#define ATROUS_NODE_HISTORY_CONFIDENCES "history_confidences"
-
 // host_confidence()
 #define ATROUS_NODE_HOST_CONFIDENCE "host_confidence"
 

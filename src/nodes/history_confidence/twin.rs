@@ -28,40 +28,30 @@ pub(crate) enum HistoryConfidenceInput<'a> {
     Confidence(&'a Image<[f32; 4]>),
 }
 
-/// Outputs of [`history_confidence`].
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct HistoryConfidenceOutputs {
-    /// 1 − λ: 1 keeps the history, which the ratio of light scales where there is one, 0 drops it.
-    pub history_confidence: Image<f32>,
-    /// The same of a history that nothing scales.
-    pub unscaled_confidence: Image<f32>,
-}
-
 /// Confidence for images of `extent`.
 pub(crate) fn history_confidence(
     frame: &FrameConstants,
     tuning: &Tuning,
     extent: [u32; 2],
     input: HistoryConfidenceInput,
-) -> HistoryConfidenceOutputs {
+) -> Image<f32> {
     let (rect, blocks) = (RenderRect::new(frame.render_extent), Blocks::new(frame.render_extent));
-    let texels = Image::compute(extent, frame.render_extent, |p| match input {
+    Image::compute(extent, frame.render_extent, |p| match input {
         HistoryConfidenceInput::Gradient { gradient, stratum_size, light_ratio, other, steadiness } => {
             let strata = || rect.window(p, 1, 1).map(|(_, q)| q / stratum_size as i32);
             if let Some(other) = other.filter(|_| strata().all(|s| gradient.at(s)[1] == 0.0)) {
-                return [other.at(p); 2];
+                return other.at(p);
             }
             let change = strata().map(|s| change(tuning, gradient.at(s))).fold(0.0, f32::max);
             let ratios = light_ratio.map_or_else(Vec::new, |ratio| strata().map(|s| ratio.at(s)).collect());
             let unsteady = steadiness.map_or(1.0, |steadiness| 1.0 - blocks.interpolated(p, |block| steadiness.at(block)));
-            [1.0 - change * unsteady * (1.0 - coherence(&ratios)), 1.0 - change]
+            1.0 - change * unsteady * (1.0 - coherence(&ratios))
         }
         HistoryConfidenceInput::Confidence(host) => match host.at(p)[0] {
-            c if c.is_finite() => [c.clamp(0.0, 1.0); 2],
-            _ => [1.0; 2],
+            c if c.is_finite() => c.clamp(0.0, 1.0),
+            _ => 1.0,
         },
-    });
-    HistoryConfidenceOutputs { history_confidence: texels.map(|t| t[0]), unscaled_confidence: texels.map(|t| t[1]) }
+    })
 }
 
 /// How far history that is scaled by these ratios is true: 0 to 1.
@@ -86,7 +76,7 @@ fn change(tuning: &Tuning, [change, brightest, ..]: [f32; 4]) -> f32 {
 }
 
 /// How what it writes is compared with the GPU.
-pub(crate) const RULES: &[Rule] = &[pixels("history_confidence", HALF), pixels("unscaled_confidence", HALF)];
+pub(crate) const RULES: &[Rule] = &[pixels("history_confidence", HALF)];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
@@ -100,12 +90,8 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
             steadiness: b.optional_scalar("steadiness")?,
         },
     };
-    let outputs = history_confidence(b.frame, b.tuning, b.extent_of("history_confidence")?, input);
-    b.write("history_confidence", outputs.history_confidence)?;
-    if b.has("unscaled_confidence") {
-        b.write("unscaled_confidence", outputs.unscaled_confidence)?;
-    }
-    Ok(())
+    let confidence = history_confidence(b.frame, b.tuning, b.extent_of("history_confidence")?, input);
+    b.write("history_confidence", confidence)
 }
 
 #[cfg(test)]
@@ -130,7 +116,7 @@ mod tests {
                 other: None,
                 steadiness: None,
             };
-            let confidence = history_confidence(&frame([7, 7]), &tuning, [7, 7], input).history_confidence;
+            let confidence = history_confidence(&frame([7, 7]), &tuning, [7, 7], input);
             let expected = paint([7, 7], |x, y| if (2..=6).contains(&x) && (2..=6).contains(&y) { 0.5 } else { 1.0 });
             assert_eq!(confidence, expected);
         }
@@ -153,10 +139,7 @@ mod tests {
                 other: None,
                 steadiness: None,
             };
-            let outputs = history_confidence(&frame([9, 3]), &svgf_tuning(), [9, 3], input);
-            let unscaled = outputs.unscaled_confidence.texels()[..9].to_vec();
-            assert_eq!(unscaled, [0.0; 9], "light changed, and nothing scales this history");
-            outputs.history_confidence.texels()[..9].to_vec()
+            history_confidence(&frame([9, 3]), &svgf_tuning(), [9, 3], input).texels()[..9].to_vec()
         };
         assert_eq!(confidence(0.5, 1.0), [1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.0, 0.0], "none of the background");
         assert_eq!(confidence(0.5, 0.25)[..5], [0.25, 0.25, 0.25, 0.25, 1.0], "as far as samples agree");
@@ -174,7 +157,7 @@ mod tests {
             other: Some(&other),
             steadiness: None,
         };
-        let confidence = history_confidence(&frame([9, 3]), &svgf_tuning(), [9, 3], input).unscaled_confidence;
+        let confidence = history_confidence(&frame([9, 3]), &svgf_tuning(), [9, 3], input);
         assert_eq!(confidence.texels()[..9], [1.0, 1.0, 1.0, 1.0, 0.25, 0.25, 0.25, 0.25, 0.25]);
     }
 
@@ -190,19 +173,18 @@ mod tests {
             steadiness: Some(&steadiness),
         };
         let outputs = history_confidence(&frame([24, 3]), &svgf_tuning(), [24, 3], input);
-        let confidence = &outputs.history_confidence.texels()[..24];
+        let confidence = &outputs.texels()[..24];
         assert_eq!(confidence[..4], [1.0; 4], "the block at the edge");
         assert_eq!(confidence[4], 1.0 - 0.5 / 8.0, "half a pixel beyond its centre");
         assert_eq!(confidence[11], 0.5 / 8.0, "half a pixel before that of the block that changed");
         assert_eq!(confidence[20..], [0.5; 4], "the other edge");
-        assert_eq!(outputs.unscaled_confidence.texels(), [0.0; 72]);
     }
 
     #[test]
     fn what_a_host_says_is_bounded() {
         let host = paint([6, 1], |x, _| [[0.25, -1.0, 9.0, f32::NAN, f32::INFINITY, 1.0][x as usize], 0.0, 0.0, 0.0]);
         let confidence = history_confidence(&frame([6, 1]), &svgf_tuning(), [6, 1], HistoryConfidenceInput::Confidence(&host))
-            .history_confidence;
+;
         assert_eq!(confidence.texels(), [0.25, 0.0, 1.0, 1.0, 1.0, 1.0]);
     }
 }

@@ -10,7 +10,7 @@ use crate::graph::{Graph, Guides, Motion, Port, Radiance, Value, HDR, PACKED_64,
 use crate::shaders;
 
 /// Pixels of the output that an invocation has, one below the other: they have most of their samples in common.
-const COLUMN: u32 = 4;
+const COLUMN: u32 = 2;
 
 /// Parameters of the node `temporal_upscale`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -95,7 +95,6 @@ nodes! {
         change_and_steadiness(port difference);
         gradient_atrous(port guides, port gradient);
         history_confidence(port gradient) [maybe tested];
-        history_confidences(port gradient) [maybe tested];
         host_confidence();
         percentile_rule(port guides, port percentiles, port history);
         temporal_accumulation(port guides, port irradiance, port history) Accumulation {

@@ -1,7 +1,7 @@
 //! Values of a graph: what a node returned, and what a later one takes.
 
 use atrous::graph::*;
-use atrous::nodes::{AccumulatedSpecular, ChangeTest, Confidences, SpecularHistory, Volume};
+use atrous::nodes::{AccumulatedSpecular, ChangeTest, SpecularHistory, Volume};
 
 /// A type that a node of Rust takes.
 pub(super) trait Kind: Sized {
@@ -166,7 +166,6 @@ values! {
         LightRatio;
         GradientSamples;
         ChangeTest from Confidence |confidence: &Confidence| ChangeTest::from(*confidence);
-        Confidences;
         SpecularHistory;
         AccumulatedSpecular;
         Volume;
@@ -229,7 +228,6 @@ impl Value {
                 let steadiness = test.steadiness.map(|steadiness| ("steadiness", steadiness.into()));
                 std::iter::once(("confidence", test.confidence.into())).chain(steadiness).collect()
             }
-            Self::Confidences(both) => vec![("scaled", both.scaled.into()), ("unscaled", both.unscaled.into())],
             Self::AccumulatedSpecular(both) => {
                 vec![("accumulated", both.accumulated.into()), ("reflection", both.reflection.into())]
             }
