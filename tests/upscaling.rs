@@ -103,7 +103,9 @@ fn an_output_that_changes_resets_nothing() {
         let (blurs, later) = (after[0] > before[0], FRAMES + 16);
         let was = if blurs { error(FRAMES, &|_| before) } else { steady(FRAMES) };
         let (changed, settled, first) = (change(FRAMES), change(later) / steady(later), error(0, &|_| after));
-        println!("{before:?} to {after:?} at speed {speed}: {changed:.4} after {was:.4}, later {settled:.3} of steady, first {first:.4}");
+        println!(
+            "{before:?} to {after:?} at speed {speed}: {changed:.4} after {was:.4}, later {settled:.3} of steady, first {first:.4}"
+        );
         assert!(changed < if blurs { 1.15 } else { 1.05 } * was && settled < 1.12, "{changed} {was} {settled}");
     }
     assert_valid();
