@@ -29,7 +29,7 @@ layout(push_constant) uniform Push {
 #include "demodulation.glsl"
 #include "specular_albedo.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 32, local_size_y = 2) in;
 
 const uint ALBEDO = 3u;
 const uint EMISSION = 4u;
@@ -46,7 +46,6 @@ layout(set = 0, binding = 10) uniform utexture2D guide;
 layout(constant_id = 2) const bool GATHERS = true;
 #else
 layout(set = 0, binding = 2) uniform utexture2D guide;
-#define rendered_guide guide
 #endif
 layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
 layout(set = 0, binding = EMISSION) uniform texture2D emission;
@@ -56,8 +55,8 @@ layout(set = 0, binding = FILTERED_1) uniform texture2D filtered_1;
 layout(set = 0, binding = SPECULAR_ALBEDO) uniform texture2D specular_albedo;
 layout(set = 0, binding = SPECULAR_F0) uniform texture2D specular_f0;
 
-vec3 factor_at(ivec2 p) {
-    if (!is_present(ALBEDO) || guide_depth(GuideBits(texelFetch(rendered_guide, p, 0))) == 0.0) return vec3(1.0);
+vec3 factor_at(ivec2 p, GuideBits packed) {
+    if (!is_present(ALBEDO) || guide_depth(packed) == 0.0) return vec3(1.0);
     vec3 a = texelFetch(albedo, host_pixel(ALBEDO, p), 0).rgb;
     if (!SPECULAR && is_present(SPECULAR_ALBEDO)) a += texelFetch(specular_albedo, host_pixel(SPECULAR_ALBEDO, p), 0).rgb;
     if (!has_convention(DEMODULATED)) return divisor_of(a);
@@ -65,8 +64,7 @@ vec3 factor_at(ivec2 p) {
     return reflectance_of(a);
 }
 
-vec3 specular_factor_at(ivec2 p) {
-    GuideBits packed = GuideBits(texelFetch(rendered_guide, p, 0));
+vec3 specular_factor_at(ivec2 p, GuideBits packed) {
     return divisor_from(p, packed, is_present(SPECULAR_ALBEDO), SPECULAR_ALBEDO, specular_albedo, is_present(SPECULAR_F0), SPECULAR_F0, specular_f0);
 }
 
@@ -78,10 +76,10 @@ vec3 emission_at(ivec2 p) {
     return vec3(0.0);
 }
 
-void modulate(ivec2 p, vec3 first, vec3 second) {
+void modulate(ivec2 p, GuideBits packed, vec3 first, vec3 second) {
     if (!SPECULAR) first += second;
-    vec3 radiance = first * factor_at(p);
-    if (SPECULAR) radiance += second * specular_factor_at(p);
+    vec3 radiance = first * factor_at(p, packed);
+    if (SPECULAR) radiance += second * specular_factor_at(p, packed);
     radiance = radiance * frame.inverse_filter_exposure + emission_at(p);
     if (is_too_bright(radiance)) count_bad(SATURATED);
     imageStore(denoised_radiance, host_pixel(DENOISED_RADIANCE, p), vec4(outgoing(radiance), 1.0));
@@ -99,7 +97,7 @@ void main() {
         ivec2 place;
         if (!is_in_cell(k, place)) continue;
         float total = GATHERS ? centres[k].sum_0.a : 1.0;
-        modulate(p * ivec2(frame.light_ratio) + place, centres[k].sum_0.rgb / total, centres[k].sum_1 / total);
+        modulate(p * ivec2(frame.light_ratio) + place, centres[k].packed, centres[k].sum_0.rgb / total, centres[k].sum_1 / total);
     }
 }
 #else
@@ -107,6 +105,7 @@ void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
     vec3 second = is_present(FILTERED_1) ? texelFetch(filtered_1, host_pixel(FILTERED_1, p), 0).rgb : vec3(0.0);
-    modulate(p, texelFetch(filtered_0, host_pixel(FILTERED_0, p), 0).rgb, second);
+    GuideBits packed = GuideBits(texelFetch(guide, p, 0));
+    modulate(p, packed, texelFetch(filtered_0, host_pixel(FILTERED_0, p), 0).rgb, second);
 }
 #endif

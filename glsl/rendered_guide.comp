@@ -18,7 +18,7 @@ layout(push_constant) uniform Push {
 #include "optional.glsl"
 #include "roughness.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 64) in;
 
 const uint DEPTH = 1u;
 const uint NORMAL = 2u;

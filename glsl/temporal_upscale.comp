@@ -34,7 +34,7 @@ layout(push_constant) uniform Push {
 #include "cubic.glsl"
 #include "upscale_history.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 32, local_size_y = 2) in;
 
 #ifdef SURFACE_ID
 #include "statistics.glsl"
@@ -81,16 +81,8 @@ SurfaceMotion motion_at(ivec2 p, float depth) {
 #endif
 }
 
-// Sharpness of the Gaussian of samples: of a first picture, by squared rendered pixels; of one with a past, by squared pixels of the output.
-const float SHARPNESS = 2.29;
-// That of the light around and of the box which clips the past, by squared rendered pixels.
-const float BOX_SHARPNESS = 0.5;
-// Share of the first one's that every later picture has, since few pixels of the output have a sample close by.
-const float LEAST_SHARE = 1e-3;
 // Weight of a frame without any sample close by.
 const float LEAST_WEIGHT = 0.02;
-// Light of the filter that is as good as none: with it nothing is divided by 0.
-const float DARKNESS = 0.01;
 // The longest past of what stands still, over that of what moves.
 const float STILL_PAST = 4.0;
 // Falls to half at a seventeenth of a pixel of the output.
@@ -100,122 +92,8 @@ const float DEPTH_TOLERANCE = 0.05;
 
 // That of the brightest light of the history, over the light around.
 const float LEAST_EVENNESS = 1e-4;
-// Beyond any light, so that sums and quotients are finite.
-const float BRIGHTEST_SAMPLE = 1e30;
-// Beyond any depth.
-const float NOWHERE = 3e38;
 
-vec3 ycocg(vec3 c) { return vec3(dot(c, vec3(0.25, 0.5, 0.25)), dot(c, vec3(0.5, 0.0, -0.5)), dot(c, vec3(-0.25, 0.5, -0.25))); }
-vec3 rgb(vec3 c) { return vec3(c.x + c.y - c.z, c.x + c.z, c.x - c.y - c.z); }
-
-// As ToneCurve in src/contract/tuning.rs.
-const uint CURVE_ACES = 0u;
-const uint CURVE_LINEAR = 2u;
-// The curve of ACES is so much steeper in the dark than x/(1 + x).
-const float ACES_STEEPNESS = 4.0;
-
-// From the filter's exposure to that of the display.
-float display_exposure() { return SHOWN ? push.exposure * frame.inverse_filter_exposure : 1.0; }
-
-float steepness() {
-    float shown = push.tone_curve == CURVE_LINEAR ? 0.0 : display_exposure() * (push.tone_curve == CURVE_ACES ? ACES_STEEPNESS : 1.0);
-    return SHOWN ? shown : 1.0;
-}
-
-// What a curve without a shoulder shows as white is as bright as all beyond: an edge of a lamp would stay jagged.
-float brightest_sample() { return SHOWN && push.tone_curve == CURVE_LINEAR ? min(1.0 / display_exposure(), BRIGHTEST_SAMPLE) : BRIGHTEST_SAMPLE; }
-
-// A bright sample counts less [Karis 2014]: as if means were taken of c/(1 + luminance).
-float evenness(vec3 c) { return 1.0 / (1.0 + steepness() * luminance(c)); }
-
-struct Sample {
-    vec3 radiance;    // in the filter's exposure
-    vec3 irradiance;
-    float depth;      // 0: background
-};
-
-Sample sample_at(ivec2 q) {
-    vec3 radiance = texelFetch(radiance_0, host_pixel(RADIANCE_0, q), 0).rgb;
-    if (is_present(RADIANCE_1)) radiance += texelFetch(radiance_1, host_pixel(RADIANCE_1, q), 0).rgb;
-    Sample s;
-    s.radiance = clamp(exposed(radiance), 0.0, brightest_sample());
-    s.irradiance = clamp(exposed(radiance), 0.0, BRIGHTEST_SAMPLE);
-    s.depth = guide_depth(GuideBits(imageLoad(guide, q)));
-    if (is_present(ALBEDO) && s.depth > 0.0) s.irradiance /= divisor_of(texelFetch(albedo, host_pixel(ALBEDO, q), 0).rgb);
-    return s;
-}
-
-struct Neighbourhood {
-    vec3 first, later;  // colours over evenness, for a first picture and for one with a past
-    float first_evenness, later_evenness;
-    float weight;       // of the samples close by
-    vec3 light;         // irradiance around
-    vec3 mean, deviation;  // YCoCg of colours times evenness
-    ivec2 nearest;      // pixel of the nearest surface
-    float depth;        // its depth; 0: background alone
-};
-
-// Position of a pixel of the output among rendered pixels.
-vec2 rendered_position(ivec2 p) { return (vec2(p) + 0.5) * extent_ratio(frame.output_extent, frame.render_extent); }
-
-Neighbourhood neighbourhood(ivec2 p) {
-    vec2 centre = rendered_position(p);
-    ivec2 middle = ivec2(floor(centre - frame.jitter));
-    vec2 offset = vec2(middle) + 0.5 + frame.jitter - centre;  // of the nearest sample
-    vec3 dx = offset.x + vec3(-1.0, 0.0, 1.0), dy = offset.y + vec3(-1.0, 0.0, 1.0);
-    vec2 scale = extent_ratio(frame.render_extent, frame.output_extent);
-    vec3 bx = exp(-BOX_SHARPNESS * dx * dx), by = exp(-BOX_SHARPNESS * dy * dy);
-    vec3 fx = exp(-SHARPNESS * dx * dx), fy = exp(-SHARPNESS * dy * dy);
-    dx *= scale.x;
-    dy *= scale.y;
-    vec3 lx = exp(-SHARPNESS * dx * dx), ly = exp(-SHARPNESS * dy * dy);
-
-    Neighbourhood around;
-    around.first = around.later = around.light = around.mean = around.deviation = vec3(0.0);
-    around.first_evenness = around.later_evenness = around.weight = 0.0;
-    around.nearest = nearest_inside(middle);
-    float total = 0.0, box_total = 0.0, light_total = 0.0, depth = NOWHERE;
-    // Moments around one of the colours: the difference of squares would cancel otherwise.
-    vec3 pivot = clamp(exposed(texelFetch(radiance_0, host_pixel(RADIANCE_0, around.nearest), 0).rgb), 0.0, brightest_sample());
-    pivot = ycocg(pivot * evenness(pivot));
-    [[unroll]] for (int y = 0; y < 3; ++y)
-        [[unroll]] for (int x = 0; x < 3; ++x) {
-            ivec2 q = middle + ivec2(x, y) - 1, tap = nearest_inside(q);
-            Sample s = sample_at(tap);
-            float exists = q == tap ? 1.0 : 0.0, even = evenness(s.radiance);
-            vec3 colour = s.radiance * even;
-            float first = exists * fx[x] * fy[y], later = exists * lx[x] * ly[y];
-            around.first += first * colour;
-            around.first_evenness += first * even;
-            around.later += later * colour;
-            around.later_evenness += later * even;
-            around.weight += later;
-            total += first;
-            vec3 c = ycocg(colour) - pivot;
-            float box = exists * bx[x] * by[y];
-            around.mean += box * c;
-            around.deviation += box * c * c;
-            float lit = box / (1.0 + luminance(s.irradiance));
-            around.light += lit * s.irradiance;
-            light_total += lit;
-            box_total += box;
-            bool nearer = s.depth > 0.0 && s.depth < depth;
-            around.nearest = nearer ? tap : around.nearest;
-            depth = nearer ? s.depth : depth;
-        }
-    around.depth = depth == NOWHERE ? 0.0 : depth;
-    around.first /= total;
-    around.first_evenness /= total;
-    float share = 1.0 / (around.weight + LEAST_SHARE);
-    around.later = (around.later + LEAST_SHARE * around.first) * share;
-    around.later_evenness = (around.later_evenness + LEAST_SHARE * around.first_evenness) * share;
-    // Means of a display have white in them, by which no light divides.
-    around.light = SHOWN ? vec3(1.0) : around.light / light_total + DARKNESS;
-    around.mean /= box_total;
-    around.deviation = sqrt(max(around.deviation / box_total - around.mean * around.mean, 0.0));
-    around.mean += pivot;
-    return around;
-}
+#include "upscale_samples.glsl"
 
 const int HIDDEN = 0;
 const int PARTLY_VISIBLE = 1;
@@ -305,11 +183,8 @@ float past_limit(vec2 moved) {
     return moving * mix(1.0, STILL_PAST, exp(-STILL_SHARPNESS * dot(moved, moved)));
 }
 
-void main() {
-    ivec2 p = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(p, ivec2(frame.output_extent)))) return;
-    Neighbourhood around = neighbourhood(p);
-    vec3 colour = around.first / around.first_evenness;
+void write(ivec2 p, Neighbourhood around) {
+    vec3 colour = around.first.rgb / around.first.a;
     float past = 0.0;
     if (!has_flag(FLAG_RESET)) {
         SurfaceMotion m = motion_at(around.nearest, around.depth);
@@ -321,14 +196,22 @@ void main() {
             vec3 history = clip_to_box(before, around);
             vec2 wider = extent_ratio(frame.output_extent, frame.previous_output_extent);
             past = min(before.weight * wider.x * wider.y, past_limit(moved));
-            float known = min(past, 1.0), even = evenness(history), now = around.weight + LEAST_WEIGHT;
-            vec3 new_colour = mix(around.first, around.later, known) * now;
-            float new_evenness = mix(around.first_evenness, around.later_evenness, known) * now;
-            colour = (new_colour + past * even * history) / (new_evenness + past * even);
+            vec4 now = mix(around.first, around.later, min(past, 1.0)) * (around.weight + LEAST_WEIGHT);
+            vec4 sum = now + past * evenness(history) * vec4(history, 1.0);
+            colour = sum.rgb / sum.a;
         }
     }
     vec3 ratio = colour / around.light;
     UpscaleHistory kept = UpscaleHistory(ratio / (1.0 + luminance(ratio)), past + around.weight, around.depth);
     imageStore(upscale_history, p, pack_upscale_history(kept));
     imageStore(upscaled_radiance, host_pixel(UPSCALED_RADIANCE, p), vec4(outgoing(colour * frame.inverse_filter_exposure), 1.0));
+}
+
+void main() {
+    ivec2 top = ivec2(gl_GlobalInvocationID.xy) * ivec2(1, COLUMN);
+    if (any(greaterThanEqual(top, ivec2(frame.output_extent)))) return;
+    Neighbourhood around[COLUMN];
+    gather(top, around);
+    [[unroll]] for (int k = 0; k < COLUMN; ++k)
+        if (top.y + k < int(frame.output_extent.y)) write(top + ivec2(0, k), around[k]);
 }

@@ -19,7 +19,7 @@ layout(push_constant) uniform Push {
 #include "luminance.glsl"
 #include "optional.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 32, local_size_y = 2) in;
 
 const uint FILTERED_1 = 4u;
 const uint UPSAMPLED_1 = 6u;

@@ -83,7 +83,7 @@ fn corner(picture: &[[f32; 4]], allocated: [u32; 2], [width, height]: [u32; 2]) 
 
 fn an_output_that_changes_resets_nothing() {
     let (allocated, small) = ([192, 108], [150, 84]);
-    for speed in [0.0, 0.02] {
+    for (before, after, speed) in [(allocated, small, 0.02), (small, allocated, 0.0)] {
         // The error in the frame `at`, from whose first change on the output is another.
         let error = |at: u32, output: &dyn Fn(u32) -> [u32; 2]| {
             let mut s = session(&Config { output_extent: Some(allocated), ..Config::new(EXTENT) });
@@ -97,16 +97,16 @@ fn an_output_that_changes_resets_nothing() {
             let picture = s.download("upscaled_radiance").expect("an output");
             rmse(&corner(&picture, allocated, output(at)), &reference(output(at), speed, at))
         };
-        for (before, after) in [(allocated, small), (small, allocated)] {
-            let change = |at: u32| error(at, &|i| if i < FRAMES { before } else { after });
-            let steady = |at: u32| error(at, &|_| after);
-            // A picture that was smaller has less in it, until new frames are gathered.
-            let (blurs, later) = (after[0] > before[0], FRAMES + 16);
-            let was = if blurs { error(FRAMES, &|_| before) } else { steady(FRAMES) };
-            let (changed, settled, first) = (change(FRAMES), change(later) / steady(later), error(0, &|_| after));
-            println!("{before:?} to {after:?} at speed {speed}: {changed:.4} after {was:.4}, later {settled:.3} of steady, first {first:.4}");
-            assert!(changed < if blurs { 1.15 } else { 1.05 } * was && settled < 1.12, "{changed} {was} {settled}");
-        }
+        let change = |at: u32| error(at, &|i| if i < FRAMES { before } else { after });
+        let steady = |at: u32| error(at, &|_| after);
+        // A picture that was smaller has less in it, until new frames are gathered.
+        let (blurs, later) = (after[0] > before[0], FRAMES + 16);
+        let was = if blurs { error(FRAMES, &|_| before) } else { steady(FRAMES) };
+        let (changed, settled, first) = (change(FRAMES), change(later) / steady(later), error(0, &|_| after));
+        println!(
+            "{before:?} to {after:?} at speed {speed}: {changed:.4} after {was:.4}, later {settled:.3} of steady, first {first:.4}"
+        );
+        assert!(changed < if blurs { 1.15 } else { 1.05 } * was && settled < 1.12, "{changed} {was} {settled}");
     }
     assert_valid();
 }

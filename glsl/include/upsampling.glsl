@@ -25,6 +25,7 @@ const float LEAST = 1e-6;
 
 // A rendered pixel of the cell that a pixel of light stands for, and its sums.
 struct Centre {
+    GuideBits packed;
     vec3 steps;     // normal, in steps
     vec3 normal;    // view space
     vec3 position;  // view space
@@ -43,6 +44,7 @@ const int CELL = 4;
 Centre centre_at(ivec2 p, vec2 middle) {
     GuideBits packed = GuideBits(texelFetch(rendered_guide, p, 0));
     Centre c;
+    c.packed = packed;
     c.depth = guide_depth(packed);
     c.side = guide_is_dark(packed) ? -1.0 : 1.0;
     c.steps = guide_normal_steps(packed);
@@ -65,27 +67,31 @@ float likeness(Centre c, vec3 steps, vec3 position, float signed_depth) {
     return depth > 0.0 ? LEAST + LEAST_ALIKE + alike : LEAST;
 }
 
+float gauss(float d) { return exp2(-SHARPNESS * d * d); }
+
 // The sums of each rendered pixel of a pixel of light.
 void gather(ivec2 p, out Centre centres[CELL]) {
     ivec2 ratio = ivec2(frame.light_ratio), last = ivec2(frame.guide_extent) / ratio - 1;
     [[unroll]] for (int k = 0; k < CELL; ++k)
         centres[k] = centre_at(p * ratio + min(ivec2(k % 2, k / 2), ratio - 1), vec2(p) + 0.5);
-    [[dont_unroll]] for (int i = 0; i < 9; ++i) {
-        ivec2 to = ivec2(i % 3 - 1, i / 3 - 1), q = p + to;
-        if (any(lessThan(q, ivec2(0))) || any(greaterThan(q, last))) continue;
-        GuideBits packed = GuideBits(texelFetch(guide, q, 0));
-        vec3 steps = guide_normal_steps(packed);
-        float signed_depth = signed_guide_depth(packed);
-        vec3 position = view_position(q * ratio + ivec2(frame.light_offset), abs(signed_depth));
-        vec3 light_0 = texelFetch(filtered_0, q, 0).rgb, light_1 = vec3(0.0);
-        if (is_present(FILTERED_1)) light_1 = texelFetch(filtered_1, q, 0).rgb;
-        [[unroll]] for (int k = 0; k < CELL; ++k) {
-            vec2 d = centres[k].offset + vec2(to);
-            float weight = exp2(-SHARPNESS * dot(d, d)) * likeness(centres[k], steps, position, signed_depth);
-            centres[k].sum_0 += weight * vec4(light_0, 1.0);
-            centres[k].sum_1 += weight * light_1;
+    vec2 offsets[2] = { centres[0].offset, centres[CELL - 1].offset };
+    [[dont_unroll]] for (int y = -1; y <= 1; ++y)
+        [[unroll]] for (int x = -1; x <= 1; ++x) {
+            ivec2 q = p + ivec2(x, y), tap = clamp(q, ivec2(0), last);
+            float exists = q == tap ? 1.0 : 0.0;
+            GuideBits packed = GuideBits(texelFetch(guide, tap, 0));
+            vec3 steps = guide_normal_steps(packed);
+            float signed_depth = signed_guide_depth(packed);
+            vec3 position = view_position(tap * ratio + ivec2(frame.light_offset), abs(signed_depth));
+            vec3 light_0 = texelFetch(filtered_0, tap, 0).rgb, light_1 = vec3(0.0);
+            if (is_present(FILTERED_1)) light_1 = texelFetch(filtered_1, tap, 0).rgb;
+            [[unroll]] for (int k = 0; k < CELL; ++k) {
+                float weight = exists * gauss(offsets[k % 2].x + float(x)) * gauss(offsets[k / 2].y + float(y));
+                weight *= likeness(centres[k], steps, position, signed_depth);
+                centres[k].sum_0 += weight * vec4(light_0, 1.0);
+                centres[k].sum_1 += weight * light_1;
+            }
         }
-    }
 }
 
 bool has_light(ivec2 p) { return all(lessThan(p, ivec2(frame.guide_extent / frame.light_ratio))); }

@@ -757,7 +757,7 @@ pub(crate) static IMPORT_SURFACE_ID_1: Shader = Shader {
     ]),
 };
 pub(crate) static MODULATE_FLOAT_0: Shader = Shader {
-    stage: Cow::Borrowed("modulate"), name: Cow::Borrowed("modulate_float_0"), spirv: Cow::Borrowed(include_bytes!("modulate_float_0.spv")), workgroup: [8, 8, 1],
+    stage: Cow::Borrowed("modulate"), name: Cow::Borrowed("modulate_float_0"), spirv: Cow::Borrowed(include_bytes!("modulate_float_0.spv")), workgroup: [32, 2, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
@@ -782,7 +782,7 @@ pub(crate) static MODULATE_FLOAT_0: Shader = Shader {
     ]),
 };
 pub(crate) static MODULATE_FLOAT_1: Shader = Shader {
-    stage: Cow::Borrowed("modulate"), name: Cow::Borrowed("modulate_float_1"), spirv: Cow::Borrowed(include_bytes!("modulate_float_1.spv")), workgroup: [8, 8, 1],
+    stage: Cow::Borrowed("modulate"), name: Cow::Borrowed("modulate_float_1"), spirv: Cow::Borrowed(include_bytes!("modulate_float_1.spv")), workgroup: [32, 2, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
@@ -807,7 +807,7 @@ pub(crate) static MODULATE_FLOAT_1: Shader = Shader {
     ]),
 };
 pub(crate) static MODULATE_FLOAT_0_UPSAMPLED_1: Shader = Shader {
-    stage: Cow::Borrowed("modulate"), name: Cow::Borrowed("modulate_float_0_upsampled_1"), spirv: Cow::Borrowed(include_bytes!("modulate_float_0_upsampled_1.spv")), workgroup: [8, 8, 1],
+    stage: Cow::Borrowed("modulate"), name: Cow::Borrowed("modulate_float_0_upsampled_1"), spirv: Cow::Borrowed(include_bytes!("modulate_float_0_upsampled_1.spv")), workgroup: [32, 2, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
@@ -835,7 +835,7 @@ pub(crate) static MODULATE_FLOAT_0_UPSAMPLED_1: Shader = Shader {
     ]),
 };
 pub(crate) static MODULATE_FLOAT_1_UPSAMPLED_1: Shader = Shader {
-    stage: Cow::Borrowed("modulate"), name: Cow::Borrowed("modulate_float_1_upsampled_1"), spirv: Cow::Borrowed(include_bytes!("modulate_float_1_upsampled_1.spv")), workgroup: [8, 8, 1],
+    stage: Cow::Borrowed("modulate"), name: Cow::Borrowed("modulate_float_1_upsampled_1"), spirv: Cow::Borrowed(include_bytes!("modulate_float_1_upsampled_1.spv")), workgroup: [32, 2, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
@@ -909,7 +909,7 @@ pub(crate) static REACTIVE_MASK: Shader = Shader {
     ]),
 };
 pub(crate) static RENDERED_GUIDE_SURFACE_ID_0: Shader = Shader {
-    stage: Cow::Borrowed("rendered_guide"), name: Cow::Borrowed("rendered_guide_surface_id_0"), spirv: Cow::Borrowed(include_bytes!("rendered_guide_surface_id_0.spv")), workgroup: [8, 8, 1],
+    stage: Cow::Borrowed("rendered_guide"), name: Cow::Borrowed("rendered_guide_surface_id_0"), spirv: Cow::Borrowed(include_bytes!("rendered_guide_surface_id_0.spv")), workgroup: [64, 1, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("depth"), kind: BindingKind::SampledImage(Component::Float), optional: false },
@@ -928,7 +928,7 @@ pub(crate) static RENDERED_GUIDE_SURFACE_ID_0: Shader = Shader {
     ]),
 };
 pub(crate) static RENDERED_GUIDE_SURFACE_ID_1: Shader = Shader {
-    stage: Cow::Borrowed("rendered_guide"), name: Cow::Borrowed("rendered_guide_surface_id_1"), spirv: Cow::Borrowed(include_bytes!("rendered_guide_surface_id_1.spv")), workgroup: [8, 8, 1],
+    stage: Cow::Borrowed("rendered_guide"), name: Cow::Borrowed("rendered_guide_surface_id_1"), spirv: Cow::Borrowed(include_bytes!("rendered_guide_surface_id_1.spv")), workgroup: [64, 1, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("depth"), kind: BindingKind::SampledImage(Component::Float), optional: false },
@@ -1144,7 +1144,7 @@ pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_2: Shader = Shader {
     ]),
 };
 pub(crate) static TEMPORAL_UPSCALE_FLOAT_0: Shader = Shader {
-    stage: Cow::Borrowed("temporal_upscale"), name: Cow::Borrowed("temporal_upscale_float_0"), spirv: Cow::Borrowed(include_bytes!("temporal_upscale_float_0.spv")), workgroup: [8, 8, 1],
+    stage: Cow::Borrowed("temporal_upscale"), name: Cow::Borrowed("temporal_upscale_float_0"), spirv: Cow::Borrowed(include_bytes!("temporal_upscale_float_0.spv")), workgroup: [32, 2, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("radiance_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
@@ -1171,7 +1171,7 @@ pub(crate) static TEMPORAL_UPSCALE_FLOAT_0: Shader = Shader {
     ]),
 };
 pub(crate) static TEMPORAL_UPSCALE_FLOAT_1: Shader = Shader {
-    stage: Cow::Borrowed("temporal_upscale"), name: Cow::Borrowed("temporal_upscale_float_1"), spirv: Cow::Borrowed(include_bytes!("temporal_upscale_float_1.spv")), workgroup: [8, 8, 1],
+    stage: Cow::Borrowed("temporal_upscale"), name: Cow::Borrowed("temporal_upscale_float_1"), spirv: Cow::Borrowed(include_bytes!("temporal_upscale_float_1.spv")), workgroup: [32, 2, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("radiance_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
@@ -1198,7 +1198,7 @@ pub(crate) static TEMPORAL_UPSCALE_FLOAT_1: Shader = Shader {
     ]),
 };
 pub(crate) static TEMPORAL_UPSCALE_FLOAT_0_SURFACE_ID_0: Shader = Shader {
-    stage: Cow::Borrowed("temporal_upscale"), name: Cow::Borrowed("temporal_upscale_float_0_surface_id_0"), spirv: Cow::Borrowed(include_bytes!("temporal_upscale_float_0_surface_id_0.spv")), workgroup: [8, 8, 1],
+    stage: Cow::Borrowed("temporal_upscale"), name: Cow::Borrowed("temporal_upscale_float_0_surface_id_0"), spirv: Cow::Borrowed(include_bytes!("temporal_upscale_float_0_surface_id_0.spv")), workgroup: [32, 2, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
@@ -1228,7 +1228,7 @@ pub(crate) static TEMPORAL_UPSCALE_FLOAT_0_SURFACE_ID_0: Shader = Shader {
     ]),
 };
 pub(crate) static TEMPORAL_UPSCALE_FLOAT_0_SURFACE_ID_1: Shader = Shader {
-    stage: Cow::Borrowed("temporal_upscale"), name: Cow::Borrowed("temporal_upscale_float_0_surface_id_1"), spirv: Cow::Borrowed(include_bytes!("temporal_upscale_float_0_surface_id_1.spv")), workgroup: [8, 8, 1],
+    stage: Cow::Borrowed("temporal_upscale"), name: Cow::Borrowed("temporal_upscale_float_0_surface_id_1"), spirv: Cow::Borrowed(include_bytes!("temporal_upscale_float_0_surface_id_1.spv")), workgroup: [32, 2, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
@@ -1259,7 +1259,7 @@ pub(crate) static TEMPORAL_UPSCALE_FLOAT_0_SURFACE_ID_1: Shader = Shader {
     ]),
 };
 pub(crate) static TEMPORAL_UPSCALE_FLOAT_1_SURFACE_ID_0: Shader = Shader {
-    stage: Cow::Borrowed("temporal_upscale"), name: Cow::Borrowed("temporal_upscale_float_1_surface_id_0"), spirv: Cow::Borrowed(include_bytes!("temporal_upscale_float_1_surface_id_0.spv")), workgroup: [8, 8, 1],
+    stage: Cow::Borrowed("temporal_upscale"), name: Cow::Borrowed("temporal_upscale_float_1_surface_id_0"), spirv: Cow::Borrowed(include_bytes!("temporal_upscale_float_1_surface_id_0.spv")), workgroup: [32, 2, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
@@ -1289,7 +1289,7 @@ pub(crate) static TEMPORAL_UPSCALE_FLOAT_1_SURFACE_ID_0: Shader = Shader {
     ]),
 };
 pub(crate) static TEMPORAL_UPSCALE_FLOAT_1_SURFACE_ID_1: Shader = Shader {
-    stage: Cow::Borrowed("temporal_upscale"), name: Cow::Borrowed("temporal_upscale_float_1_surface_id_1"), spirv: Cow::Borrowed(include_bytes!("temporal_upscale_float_1_surface_id_1.spv")), workgroup: [8, 8, 1],
+    stage: Cow::Borrowed("temporal_upscale"), name: Cow::Borrowed("temporal_upscale_float_1_surface_id_1"), spirv: Cow::Borrowed(include_bytes!("temporal_upscale_float_1_surface_id_1.spv")), workgroup: [32, 2, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
@@ -1339,7 +1339,7 @@ pub(crate) static TONE_MAP: Shader = Shader {
     ]),
 };
 pub(crate) static UPSAMPLE_NUMBER_0: Shader = Shader {
-    stage: Cow::Borrowed("upsample"), name: Cow::Borrowed("upsample_number_0"), spirv: Cow::Borrowed(include_bytes!("upsample_number_0.spv")), workgroup: [8, 8, 1],
+    stage: Cow::Borrowed("upsample"), name: Cow::Borrowed("upsample_number_0"), spirv: Cow::Borrowed(include_bytes!("upsample_number_0.spv")), workgroup: [32, 2, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("rendered_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
@@ -1359,7 +1359,7 @@ pub(crate) static UPSAMPLE_NUMBER_0: Shader = Shader {
     ]),
 };
 pub(crate) static UPSAMPLE_NUMBER_1: Shader = Shader {
-    stage: Cow::Borrowed("upsample"), name: Cow::Borrowed("upsample_number_1"), spirv: Cow::Borrowed(include_bytes!("upsample_number_1.spv")), workgroup: [8, 8, 1],
+    stage: Cow::Borrowed("upsample"), name: Cow::Borrowed("upsample_number_1"), spirv: Cow::Borrowed(include_bytes!("upsample_number_1.spv")), workgroup: [32, 2, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("rendered_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },

@@ -63,8 +63,8 @@ pub(crate) enum Grid {
     Strata(u32),
     /// One a column of so many pixels of this frame.
     Columns(u32),
-    /// One per pixel of the output.
-    Output,
+    /// One a column of so many pixels of the output.
+    Output(u32),
 }
 
 impl PassDecl {

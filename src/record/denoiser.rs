@@ -325,7 +325,7 @@ fn workgroups(dispatch: &Dispatch, frame: &FrameContext) -> [u32; 2] {
         Grid::Guides => frame.render_extent,
         Grid::Strata(side) => [now[0].max(before[0]).div_ceil(side), now[1].max(before[1]).div_ceil(side)],
         Grid::Columns(pixels) => [now[0], now[1].div_ceil(pixels)],
-        Grid::Output => frame.output_extent,
+        Grid::Output(pixels) => [frame.output_extent[0], frame.output_extent[1].div_ceil(pixels)],
     };
     let [width, height, _] = dispatch.shader.workgroup;
     [x.div_ceil(width), y.div_ceil(height)]

@@ -9,6 +9,9 @@ use crate::contract::{Grid, Input, Lifetime, Phase, TexelGrid};
 use crate::graph::{Graph, Guides, Motion, Port, Radiance, Value, HDR, PACKED_64, WIDE_HDR};
 use crate::shaders;
 
+/// Pixels of the output that an invocation has, one below the other: they have most of their samples in common.
+const COLUMN: u32 = 2;
+
 /// Parameters of the node `temporal_upscale`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct TemporalUpscale {
@@ -39,7 +42,7 @@ impl Graph {
             .phase(Phase::PostProcess)
             .constant("SHOWN", upscale.tone_mapped.into())
             .value("exposure", value)
-            .grid(Grid::Output)
+            .grid(Grid::Output(COLUMN))
             .each("radiance", radiance.images())
             .bind_some("albedo", self.given(Input::ALBEDO))
             .bind("guide", guide)

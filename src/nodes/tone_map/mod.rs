@@ -18,7 +18,7 @@ impl Graph {
         let is_output = texels == TexelGrid::Output;
         let pass = pass(&node, &shaders::TONE_MAP)
             .phase(Phase::PostProcess)
-            .grid(if is_output { Grid::Output } else { Grid::Guides })
+            .grid(if is_output { Grid::Output(1) } else { Grid::Guides })
             .constant("OUTPUT", is_output.into())
             .each("radiance", denoised.images())
             .bind("tone_mapped", tone_mapped);
