@@ -131,9 +131,10 @@ impl Declaration {
         self.passes.iter().any(|pass| pass.stage() == Some("forward_project"))
     }
 
-    /// Whether pixels without a gradient take the confidence of a different stage.
+    /// Whether pixels without a gradient take the confidence of a change test.
     pub(crate) fn has_other_confidence(&self) -> bool {
-        self.passes.iter().any(|pass| pass.use_of("other_confidence").is_some())
+        let is_tested = |pass: &PassDecl| ["other_confidence", "block_difference_0"].iter().any(|name| pass.use_of(name).is_some());
+        self.passes.iter().any(|pass| pass.stage() == Some("history_confidence") && is_tested(pass))
     }
 
     /// A resource by name.
