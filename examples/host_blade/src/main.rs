@@ -117,7 +117,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut engine = Engine::new().map_err(|error| format!("no device for Blade: {error:?}"))?;
     let mut inputs = engine.texture("G-buffer", gpu::TextureFormat::Rgba32Float, 5, gpu::TextureUsage::RESOURCE);
     inputs.extend(engine.texture("ids", gpu::TextureFormat::R32Uint, 1, gpu::TextureUsage::RESOURCE));
-    let output = engine.texture("output", gpu::TextureFormat::Rgba16Float, 1, gpu::TextureUsage::STORAGE);
+    let output =
+        engine.texture("output", gpu::TextureFormat::Rgba16Float, 1, gpu::TextureUsage::STORAGE | gpu::TextureUsage::RESOURCE);
     let mut denoise = Denoise::new(&engine.context, synthetic::EXTENT)?;
     for index in 0..synthetic::FRAMES {
         println!("{}", engine.frame(index, &inputs, &output[0], &mut denoise)?);
