@@ -1,14 +1,22 @@
 //! The tunables of a pixel, by the class of its material.
 
+use super::guide::unpack_guide;
+use super::statistics::count;
 use super::Image;
 use crate::{FrameConstants, Tuning};
 use glam::IVec2;
 
 /// The class of a pixel of light, with whether it is beyond the table: then it counts as 0.
-pub(crate) fn class_of(frame: &FrameConstants, classes: &Image<u32>, p: IVec2) -> (usize, bool) {
+fn class_of(frame: &FrameConstants, classes: &Image<u32>, p: IVec2) -> (usize, bool) {
     let class = classes.at(frame.guide_pixel(p)) as usize;
     let is_bad = class >= frame.materials.len();
     (if is_bad { 0 } else { class }, is_bad)
+}
+
+/// Surfaces whose class is beyond the table.
+pub(crate) fn classes_beyond(frame: &FrameConstants, classes: &Image<u32>, guide: &Image<[u16; 4]>) -> u32 {
+    let is_bad = |p| !unpack_guide(guide.at(p)).is_background() && class_of(frame, classes, p).1;
+    count(Image::compute(guide.extent(), frame.render_extent, is_bad).texels().iter().copied())
 }
 
 /// Tunables for a pixel: those of the frame, times the factors of its class.

@@ -6,7 +6,7 @@ pub(crate) mod twin;
 
 use super::{pass, BLOCK_SIZE};
 use crate::contract::Grid;
-use crate::graph::{Difference, Graph, Guides, History, Irradiance, PACKED_64};
+use crate::graph::{Difference, Graph, Guides, History, Irradiance, Pass, PACKED_64};
 use crate::shaders;
 
 impl Graph {
@@ -16,26 +16,29 @@ impl Graph {
         for (i, (input, output)) in irradiance.images().iter().zip(difference.images()).enumerate() {
             let label = self.label(*input).to_owned();
             let node = self.node("block_difference", &label);
-            let (Some(colour), Some(luminance_history)) = (history.colour().get(i), history.luminance_history().get(i)) else {
+            if i >= history.colour().len() {
                 self.fail(
                     &node,
                     "history",
                     "the history has fewer signals than the irradiance; make it of the same port".to_owned(),
                 );
                 continue;
-            };
+            }
             let pass = pass(&node, &shaders::BLOCK_DIFFERENCE)
                 .grid(Grid::Columns(BLOCK_SIZE))
                 .bind("guide", guides.guide)
-                .previous("previous_guide", guides.guide)
-                .bind("surface_motion", guides.surface_motion)
-                .bind("depth_gradient", guides.depth_gradient)
-                .bind("irradiance", *input)
-                .previous("history", *colour)
-                .previous("previous_luminance_history", *luminance_history)
-                .bind("block_difference", *output);
-            self.add(pass);
+                .bind("irradiance", *input);
+            self.add(compared(pass, guides, history, i).bind("block_difference", *output));
         }
         self.renewed(&difference)
     }
+}
+
+/// What a pass that compares signal `i` with its history reads of the past.
+pub(super) fn compared(pass: Pass, guides: &Guides, history: &History, i: usize) -> Pass {
+    pass.previous("previous_guide", guides.guide)
+        .bind("surface_motion", guides.surface_motion)
+        .bind("depth_gradient", guides.depth_gradient)
+        .previous("history", history.colour()[i])
+        .previous("previous_luminance_history", history.luminance_history()[i])
 }

@@ -5,16 +5,10 @@
 
 pub(crate) mod twin;
 
-use super::{pass, BLOCK_SIZE};
+use super::{block_difference, pass, BLOCK_SIZE};
 use crate::contract::Grid;
 use crate::graph::{Difference, FireflyLimits, Graph, Guides, History, Irradiance, Port, VolumeRadiance, PACKED_64};
 use crate::shaders;
-
-/// The history that the filtered light is compared with, and where its departure goes.
-struct Compared {
-    history: History,
-    difference: Difference,
-}
 
 impl Graph {
     /// Irradiance without outliers, in place; one pass for every signal.
@@ -31,8 +25,8 @@ impl Graph {
         history: &History,
     ) -> (Irradiance, Difference) {
         let difference: Difference = self.image_each(irradiance, "block_difference", PACKED_64, BLOCK_SIZE);
-        let compared = Compared { history: *history, difference };
-        (self.without_outliers(guides, irradiance, limits, false, Some(&compared)), self.renewed(&difference))
+        let filtered = self.without_outliers(guides, irradiance, limits, false, Some((history, &difference)));
+        (filtered, self.renewed(&difference))
     }
 
     /// Radiance of a volume without outliers, in place.
@@ -46,7 +40,7 @@ impl Graph {
         port: &Port<K>,
         limits: &FireflyLimits,
         volume: bool,
-        compared: Option<&Compared>,
+        compared: Option<(&History, &Difference)>,
     ) -> Port<K> {
         let module = if compared.is_some() { &shaders::FIREFLY_DIFFERENCE_1 } else { &shaders::FIREFLY_DIFFERENCE_0 };
         if limits.signals() != port.signals() {
@@ -63,13 +57,9 @@ impl Graph {
                 .bind("firefly_limits", *limits)
                 .bind("irradiance", *image);
             let pass = match compared {
-                Some(Compared { history, difference }) => pass
-                    .previous("previous_guide", guides.guide)
-                    .bind("surface_motion", guides.surface_motion)
-                    .bind("depth_gradient", guides.depth_gradient)
-                    .previous("history", history.colour()[i])
-                    .previous("previous_luminance_history", history.luminance_history()[i])
-                    .bind("block_difference", difference.images()[i]),
+                Some((history, difference)) => {
+                    block_difference::compared(pass, guides, history, i).bind("block_difference", difference.images()[i])
+                }
                 None => pass,
             };
             self.add(pass);

@@ -19,7 +19,7 @@ impl Graph {
         let pass = pass(&node, &shaders::HISTORY_CONFIDENCE_SOURCE_0)
             .bind_some("other_confidence", tested.map(|tested| tested.confidence.image()))
             .bind_some("steadiness", tested.and_then(|tested| tested.steadiness).map(|steadiness| steadiness.image()));
-        self.confidence_of(pass, gradient)
+        self.confidence_by(of_gradient(pass, gradient))
     }
 
     /// [`Self::history_confidence`] with [`Self::change_and_steadiness`] of `difference` in the same pass.
@@ -28,28 +28,25 @@ impl Graph {
         let pass = pass(&node, &shaders::HISTORY_CONFIDENCE_SOURCE_2)
             .grid(Grid::Columns(BLOCK_SIZE))
             .each("block_difference", difference.images());
-        self.confidence_of(pass, gradient)
-    }
-
-    fn confidence_of(&mut self, pass: Pass, gradient: &Gradient) -> Confidence {
-        let confidence = self.named_image("history_confidence", "", CONFIDENCE, 1, Lifetime::Transient);
-        let pass = pass
-            .constant("STRATUM_SIZE", gradient.stratum_size)
-            .bind("gradient", gradient.image)
-            .bind_some("light_ratio", gradient.light_ratio.map(|ratio| ratio.image))
-            .bind("history_confidence", confidence);
-        self.add(pass);
-        Port::of(self.refreshed(confidence))
+        self.confidence_by(of_gradient(pass, gradient))
     }
 
     /// Confidence in the history, from your own estimate: the input `confidence`.
     pub fn host_confidence(&mut self) -> Confidence {
         let node = self.node("history_confidence", "");
+        let pass = pass(&node, &shaders::HISTORY_CONFIDENCE_SOURCE_1).bind("confidence", self.input(Input::CONFIDENCE));
+        self.confidence_by(pass)
+    }
+
+    fn confidence_by(&mut self, pass: Pass) -> Confidence {
         let confidence = self.named_image("history_confidence", "", CONFIDENCE, 1, Lifetime::Transient);
-        let pass = pass(&node, &shaders::HISTORY_CONFIDENCE_SOURCE_1)
-            .bind("confidence", self.input(Input::CONFIDENCE))
-            .bind("history_confidence", confidence);
-        self.add(pass);
+        self.add(pass.bind("history_confidence", confidence));
         Port::of(self.refreshed(confidence))
     }
+}
+
+fn of_gradient(pass: Pass, gradient: &Gradient) -> Pass {
+    pass.constant("STRATUM_SIZE", gradient.stratum_size)
+        .bind("gradient", gradient.image)
+        .bind_some("light_ratio", gradient.light_ratio.map(|ratio| ratio.image))
 }

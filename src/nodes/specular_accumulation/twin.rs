@@ -9,7 +9,7 @@ use crate::reference::conventions::{is_reset, roughness_channel};
 use crate::reference::guide::{unpack_guide, Surface};
 use crate::reference::luminance::{luminance, texel_luminance};
 use crate::reference::luminance_history::{pack_luminance_history, split_luminance_history, LuminanceHistory, Reason};
-use crate::reference::material::{class_of, tuning_at};
+use crate::reference::material::{classes_beyond, tuning_at};
 use crate::reference::reflection::{
     hit_distance_of, lobe_radius, mixed_roughness, nearness, pack_reflection, roughness_of, SeenReflection,
 };
@@ -122,9 +122,7 @@ pub(crate) fn specular_accumulation(
     statistics[Counter::HitId] = count(texels.texels().iter().map(|t| t.4[0]));
     statistics[Counter::SpecularMotion] = count(texels.texels().iter().map(|t| t.4[1]));
     if let Some(classes) = inputs.material_class.filter(|_| inputs.is_mixed) {
-        let is_bad = |p| !unpack_guide(inputs.guide.at(p)).is_background() && class_of(frame, classes, p).1;
-        let bad = Image::compute(inputs.guide.extent(), frame.render_extent, is_bad);
-        statistics[Counter::MaterialClass] = count(bad.texels().iter().copied());
+        statistics[Counter::MaterialClass] = classes_beyond(frame, classes, inputs.guide);
     }
     SpecularAccumulationOutputs {
         statistics,

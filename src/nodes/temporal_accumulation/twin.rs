@@ -3,11 +3,10 @@
 use crate::reference::conventions::is_reset;
 use crate::reference::guide::{unpack_guide, Surface};
 use crate::reference::luminance_history::{pack_luminance_history, unpack_luminance_history, LuminanceHistory, Reason};
-use crate::reference::material::{class_of, tuning_at};
+use crate::reference::material::{classes_beyond, tuning_at};
 use crate::reference::nearest_history::SignalHistory;
 use crate::reference::octahedral::octahedral10_to_normal;
 use crate::reference::projection::extent_ratio;
-use crate::reference::statistics::count;
 use crate::reference::surface_motion::{unpack_depth_gradient, unpack_surface_motion, SurfaceMotion};
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Counter, FrameConstants, Statistics, Tuning};
@@ -155,9 +154,7 @@ pub(crate) fn temporal_accumulation(
         TemporalAccumulationOutputs { irradiance: Vec::new(), luminance_history: Vec::new(), statistics: Statistics::default() };
     histories.texels().iter().filter_map(History::counter).for_each(|counter| outputs.statistics[counter] += 1);
     if let Some(classes) = inputs.material_class {
-        let is_bad = |p| !unpack_guide(inputs.guide.at(p)).is_background() && class_of(frame, classes, p).1;
-        let bad = Image::compute(extent, frame.render_extent, is_bad);
-        outputs.statistics[Counter::MaterialClass] = count(bad.texels().iter().copied());
+        outputs.statistics[Counter::MaterialClass] = classes_beyond(frame, classes, inputs.guide);
     }
     for (i, irradiance) in inputs.irradiance.iter().enumerate() {
         let signal = previous.and_then(|previous| previous.signals.get(i));
