@@ -116,9 +116,9 @@ fn light_of_half_the_size_fills_a_picture_of_display_size() {
     let view = read(&gpu, &world.filters[0].debug);
     assert_eq!(depths, enlarged(&view, [16, 9]), "a view of the pixels that have light");
     let panes = Panes::new(&gpu, output).expect("panes");
-    let probe = world.probe(&panes, [Content::Noisy, depth], [47, 26]).expect("a submit");
+    let probe = world.probe(&panes, [Content::Noisy, depth], [47, 13]).expect("a submit");
     world.filters[0].show(&gpu, DebugView::Depth).expect("a submit");
-    let corner = gpu.read_half_texel(&world.filters[0].debug, [15, 8]).expect("a texel");
+    let corner = gpu.read_half_texel(&world.filters[0].debug, [15, 4]).expect("a texel");
     assert!(corner[3] > 0.0 && probe.numbers[DebugView::Depth as usize] == Some(corner[3]), "{probe:?}");
 }
 
