@@ -168,7 +168,7 @@ fn visibility_of_fewer_pixels_goes_with_light_of_fewer_pixels() {
     let [even, odd] = [2.0 * 0.2 + 0.25 * 0.2, 2.0 * 0.8 + 0.25 * 0.8 + 3.0];
     let is_right = |(i, value): (usize, &f32)| (value - if i % 2 == 0 { even } else { odd }).abs() < 0.02;
     assert!(result.iter().enumerate().all(is_right), "{:?}", &result[..4]);
-    let planes = read(&frame_path(output.path(), 2), |name| name == "denoised_visibility.Z").expect("a frame").samples;
+    let planes = read(&frame_path(output.path(), 2), |channel| channel.name == "denoised_visibility.Z").expect("a frame").samples;
     let Some(Samples::Float(seen)) = planes.get("denoised_visibility.Z") else { panic!("{:?}", planes.keys()) };
     assert!(seen.len() == result.len() && seen.iter().all(|v| (v - 0.25).abs() < 1e-2), "{:?}", &seen[..4]);
     let views = std::fs::read_dir(output.path().join("views")).expect("views").map(|view| view.expect("a file").path());
