@@ -151,7 +151,7 @@ struct Centre {
 };
 
 struct Sample {
-    VISIBLE visibility; // negative: none
+    VISIBLE visibility; // NO_SAMPLE: none
     float distance;     // of the occluder; 0: none
 };
 
@@ -175,7 +175,7 @@ struct Window {
 struct Look {
     vec2 position;
     bool is_wide;
-    bool is_sharp;  // no tap of 4x4 is another surface
+    bool is_sharp;  // asked for, and no tap of 4x4 is another surface
     uint taken;     // bit i: tap i counts
 };
 
@@ -204,9 +204,25 @@ WORDS sample_colour_words(ivec2 p) { return WORDS(0u); }
 WORDS previous_colour_words(ivec2 p) { return WORDS(0u); }
 #endif
 
-Sample sample_of(uint word, uint colours) { return Sample(visible_halves(word, colours), number_half(word)); }
+Sample sample_of(uint word, uint colours) {
+    uint halves = word & ~BLOCK_BITS;
+    return Sample(visible_halves(halves, colours), number_half(halves));
+}
 
-bool exists(Sample taken) { return first_of(taken.visibility) >= 0.0; }
+bool exists(Sample taken) { return is_sample(taken.visibility); }
+
+// Pixels that the search reaches to each side.
+const int SEARCH_REACH = 6;
+
+// Whether all samples of a light that the search may reach are of one kind, which no penumbra is.
+bool is_uniform(Sample own, uint bits) { return !AMBIENT && exists(own) && bits != BLOCK_BITS; }
+
+// Kinds of samples in the blocks around a pixel, of each light: of nine pixels so far apart, each block within reach holds one.
+void look_around(inout WORDS bits, ivec2 p) {
+    [[dont_unroll]] for (int i = 0; i < 9; ++i)
+        bits |= sample_words(nearest_inside(p + SEARCH_REACH * ivec2(i % 3 - 1, i / 3 - 1)));
+    bits &= WORDS(BLOCK_BITS);
+}
 
 // Weight by geometry of a tap; 0 where there is none.
 float tap_weight(Centre centre, ivec2 p, ivec2 offset, out WORDS words, out WORDS colours) {
@@ -220,7 +236,7 @@ float tap_weight(Centre centre, ivec2 p, ivec2 offset, out WORDS words, out WORD
 
 // Of the penumbra of the pixel itself.
 float own_reach(const int light, Centre centre, Sample own) {
-    return 2.0 * radius_of(light) * (largest(1.0 - own.visibility) > 0.0 ? own.distance : 0.0) + NEAR * centre.longer;
+    return 2.0 * radius_of(light) * (!exists(own) || largest(1.0 - own.visibility) > 0.0 ? own.distance : 0.0) + NEAR * centre.longer;
 }
 
 void search_tap(inout Search found, const int light, Centre centre, float own_reach, Sample taken, float weight, float squared, ivec2 q) {
@@ -256,7 +272,7 @@ void search(inout Search found[MOST_LIGHTS], Centre centre, ivec2 p, Sample own[
 void window_tap(inout Window sum, Sample taken, float weight, float reached) {
     weight = exists(taken) ? weight * reached : 0.0;
     sum.weight += weight;
-    sum.lit += weight * max(taken.visibility, 0.0);
+    sum.lit += weight * min(taken.visibility, 1.0);
 }
 
 void window(inout Window sum[MOST_LIGHTS], Centre centre, ivec2 p, float radius[MOST_LIGHTS]) {
@@ -305,7 +321,7 @@ bool is_refused(ivec2 tap, Expected expected, float slack) {
 
 float bilinear(vec2 f, ivec2 offset) { return (offset.x == 1 ? f.x : 1.0 - f.x) * (offset.y == 1 ? f.y : 1.0 - f.y); }
 
-Look look_at(vec2 position, Expected expected) {
+Look look_at(vec2 position, Expected expected, bool sharpens) {
     Look look = Look(position, false, false, 0u);
     vec2 corner = floor(position), f = position - corner;
     float sum = 0.0;
@@ -317,7 +333,7 @@ Look look_at(vec2 position, Expected expected) {
             sum += weight;
         }
     }
-    if (sum > WHOLE_WEIGHT && f != vec2(0.0)) {
+    if (sharpens && sum > WHOLE_WEIGHT && f != vec2(0.0)) {
         float slack = 2.0 * (abs(expected.gradient.x) + abs(expected.gradient.y));
         look.is_sharp = true;
         [[dont_unroll]] for (int i = 0; i < 16; ++i)
@@ -410,7 +426,8 @@ void place_at(inout vec2 place, inout Expected expected, vec2 shadow, float dept
 }
 
 // The past of the shadows that reach the pixel, where they moved; else, and where one lay on no such surface, of the surface.
-void gather_pasts(inout Gathered past[MOST_LIGHTS], ivec2 p, GuideBits packed, vec2 gradient, Search found[MOST_LIGHTS], Centre centre) {
+void gather_pasts(inout Gathered past[MOST_LIGHTS], ivec2 p, GuideBits packed, vec2 gradient, Search found[MOST_LIGHTS], Centre centre,
+    bool sharpens) {
     SurfaceMotion m = unpack_surface_motion(texelFetch(surface_motion, p, 0));
     vec2 position = previous_position(p, m.motion, frame.render_extent, frame.previous_render_extent) - 0.5, shadows[MOST_LIGHTS];
     Expected expected = expected_surface(packed, m, gradient, m.previous_normal);
@@ -424,7 +441,7 @@ void gather_pasts(inout Gathered past[MOST_LIGHTS], ivec2 p, GuideBits packed, v
         Expected there = expected;
         EACH_LIGHT(choose(wanted[light], any, i == int(LIGHTS) ? past[light].weight == 0.0 : i == light && moved[light]))
         EACH_LIGHT(if (i == light) place_at(place, there, shadows[light], depths[light]))
-        if (any) gather(past, wanted, look_at(place, there), centre);
+        if (any) gather(past, wanted, look_at(place, there, sharpens), centre);
     }
 }
 
@@ -448,6 +465,15 @@ float distance_of(Search found, Gathered past) {
 void put(inout WORDS words, inout WORDS colours, const int light, VisibilityHistory h) {
     word_of(words, light) = pack_visibility(h);
     word_of(colours, light) = pack_mean_colours(h.mean);
+}
+
+// Of samples of one kind no penumbra is known, and what is nowhere an edge is blurred by no motion.
+void settle(inout Search found, inout Gathered past, inout Window around, bool uniform_light, Sample own) {
+    if (!uniform_light) return;
+    found = Search(1.0 - own.visibility, own.visibility, 0.0, 0.0, 0.0, ivec2(0));
+    around = Window(1.0, own.visibility);
+    past.mean = past.plain_mean;
+    past.blur = 0.0;
 }
 
 // What the next frame finds of a light.
@@ -494,18 +520,23 @@ void main() {
     Gathered past[MOST_LIGHTS];
     Window around[MOST_LIGHTS];
     float radius[MOST_LIGHTS];
+    bool uniform_light[MOST_LIGHTS], searches = false;
     EACH_LIGHT(own[light] = sample_of(word_of(words, light), word_of(colours, light)))
+    look_around(words, p);
+    EACH_LIGHT(uniform_light[light] = is_uniform(own[light], word_of(words, light)); searches = searches || !uniform_light[light])
     EACH_LIGHT(found[light] = Search(VISIBLE(0.0), VISIBLE(0.0), 0.0, 0.0, 0.0, p))
-    search(found, centre, p, own);
+    if (searches) search(found, centre, p, own);
     EACH_LIGHT(found[light].occluder_distance = found[light].known > 0.0 ? found[light].occluder_distance / found[light].known : 0.0)
     EACH_LIGHT(past[light] = NO_PAST)
+    EACH_LIGHT(around[light] = Window(0.0, VISIBLE(0.0)))
+    EACH_LIGHT(settle(found[light], past[light], around[light], uniform_light[light], own[light]))
     if (!has_flag(FLAG_RESET)) {
-        gather_pasts(past, p, packed, gradient, found, centre);
+        gather_pasts(past, p, packed, gradient, found, centre, searches);
         EACH_LIGHT(count_bad_occluder(light, p, own[light]))
     }
     EACH_LIGHT(radius[light] = radius_of(light) * distance_of(found[light], past[light]))
-    EACH_LIGHT(around[light] = Window(0.0, VISIBLE(0.0)))
-    window(around, centre, p, radius);
+    if (searches) window(around, centre, p, radius);
+    EACH_LIGHT(settle(found[light], past[light], around[light], uniform_light[light], own[light]))
     words = WORDS(0u);
     colours = WORDS(0u);
     EACH_LIGHT(finish(words, colours, light, centre, own[light], found[light], past[light], around[light]))

@@ -2,7 +2,8 @@
 // Takes in the visibility of lights, and how far away their occluders are; stops what is no visibility.
 // Source: ours. In: guide; of the host noisy_visibility, 0 (occluded) to 1 (lit); occluder_distance, scene units along the shadow ray, 0 or
 // infinite where nothing was hit; of further lights the same with _1 to _3 behind.
-// Out: visibility_samples: half2(visibility, or -1 for no sample; distance, 0 for none); sample_colours: half2(green, blue).
+// Out: visibility_samples: half2(visibility, or 2 for no sample; distance, 0 for none), with signs that tell what the block of 8x8 pixels holds
+// (visibility.glsl); sample_colours: half2(green, blue).
 // variants: MANY=0,COLOUR=0 MANY=0,COLOUR=1 MANY=1,COLOUR=0 MANY=1,COLOUR=1
 // optional: noisy_visibility_1, noisy_visibility_2, noisy_visibility_3, occluder_distance_1, occluder_distance_2, occluder_distance_3
 #extension GL_EXT_samplerless_texture_functions : require
@@ -45,7 +46,8 @@ layout(set = 0, binding = COLOUR + 10) uniform texture2D occluder_distance_2;
 layout(set = 0, binding = COLOUR + 11) uniform texture2D occluder_distance_3;
 #endif
 
-const float NO_SAMPLE = -1.0;
+// Of surfaces in the block, BLOCK_HAS_LIT and BLOCK_HAS_OCCLUDED of each light.
+shared uint seen[MOST_LIGHTS];
 
 vec3 given_visibility(const int light, ivec2 p) {
 #if MANY
@@ -88,16 +90,27 @@ float distance_at(const int light, ivec2 p) {
 
 void take(const int light, ivec2 p, bool is_surface, inout WORDS words, inout WORDS colours) {
     VISIBLE v = is_surface ? visibility_at(light, p) : VISIBLE(1.0);
+    if (is_surface && is_sample(v)) {
+        if (largest(v) > 0.0) atomicOr(seen[light], BLOCK_HAS_LIT);
+        if (largest(1.0 - v) > 0.0) atomicOr(seen[light], BLOCK_HAS_OCCLUDED);
+    }
     word_of(words, light) = pack_halves(v, is_surface ? distance_at(light, p) : 0.0);
     word_of(colours, light) = pack_colour_halves(v);
 }
 
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
-    if (!is_inside(p)) return;
-    bool is_surface = guide_depth(GuideBits(texelFetch(guide, p, 0))) != 0.0;
+    bool inside = is_inside(p);
+    if (gl_LocalInvocationIndex < MOST_LIGHTS) seen[gl_LocalInvocationIndex] = 0u;
+    barrier();
     WORDS words = WORDS(0u), colours = WORDS(0u);
-    EACH_LIGHT(take(light, p, is_surface, words, colours))
+    if (inside) {
+        bool is_surface = guide_depth(GuideBits(texelFetch(guide, p, 0))) != 0.0;
+        EACH_LIGHT(take(light, p, is_surface, words, colours))
+    }
+    barrier();
+    if (!inside) return;
+    EACH_LIGHT(word_of(words, light) |= seen[light])
     imageStore(visibility_samples, p, uvec4(words));
 #if COLOUR
     imageStore(sample_colours, p, uvec4(colours));

@@ -56,6 +56,14 @@ float first_of(VISIBLE v) { return v; }
 uint pack_halves(VISIBLE v, float number) { return packHalf2x16(vec2(first_of(v), number)); }
 float number_half(uint word) { return unpackHalf2x16(word).y; }
 
+// Of a sample: no sample, and the signs of both halves: what the samples of the block of 8x8 pixels around it are.
+const float NO_SAMPLE = 2.0;
+const uint BLOCK_HAS_LIT = 0x8000u;
+const uint BLOCK_HAS_OCCLUDED = 0x80000000u;
+const uint BLOCK_BITS = BLOCK_HAS_LIT | BLOCK_HAS_OCCLUDED;
+
+bool is_sample(VISIBLE v) { return first_of(v) <= 1.0; }
+
 // What one pixel remembers of the visibility of a light: 12, 6, 6 and 8 bits; in colour the mean is that of red, and 12 bits each are green and blue.
 struct VisibilityHistory {
     VISIBLE mean;             // 0..1

@@ -36,6 +36,13 @@ pub(crate) struct VisibilityHistory {
 /// The longest history that fits.
 pub(crate) const LONGEST_HISTORY: f32 = 63.0;
 
+/// The visibility of a pixel that has no sample.
+pub(crate) const NO_SAMPLE: f32 = 2.0;
+/// Bits of the word of a sample: its block of 8×8 pixels holds a sample that sees some of the light.
+pub(crate) const BLOCK_HAS_LIT: u32 = 0x8000;
+/// The same of one that does not see all of it.
+pub(crate) const BLOCK_HAS_OCCLUDED: u32 = 0x8000_0000;
+
 /// The words of a light: red, or grey, with what else is remembered; and in colour green and blue.
 pub(crate) type Words = [u32; 2];
 
@@ -85,9 +92,20 @@ pub(crate) fn histories_of(b: &Bindings, names: [&str; 2], light: usize) -> Resu
     Ok(Image::compute(extent, extent, unpacked))
 }
 
+/// The halves of a word, the low one first.
+pub(crate) fn halves(word: u32) -> [f32; 2] {
+    [from_half_bits(word as u16), from_half_bits((word >> 16) as u16)]
+}
+
+/// The words of the samples of one light.
+pub(crate) fn samples_of(b: &Bindings, light: usize) -> Result<Image<Words>, Error> {
+    let (words, colours) = (words_of(b, "visibility_samples", light)?, some_words_of(b, "sample_colours", light)?);
+    let extent = words.extent();
+    Ok(Image::compute(extent, extent, |p| [words.at(p), colours.as_ref().map_or(0, |colours| colours.at(p))]))
+}
+
 /// Two halves of every pixel of one light, and in colour two more.
 pub(crate) fn halves_of(b: &Bindings, names: [&str; 2], light: usize) -> Result<Image<(Visible, f32)>, Error> {
-    let halves = |word: u32| [from_half_bits(word as u16), from_half_bits((word >> 16) as u16)];
     let (words, colours) = (words_of(b, names[0], light)?, some_words_of(b, names[1], light)?);
     let extent = words.extent();
     Ok(Image::compute(extent, extent, |p| {

@@ -39,6 +39,8 @@ pub struct Pixel {
     pub direct: [f32; 3],
     /// One sample of light that comes by other surfaces: mostly dark, now and then bright.
     pub indirect: [f32; 3],
+    /// One sample of how far a lamp is seen, 0 or 1: bands of light and of shadow, with penumbrae an eighth of the picture.
+    pub visibility: f32,
     /// One sample of fog.
     pub volume: [f32; 3],
     /// Depth of that sample.
@@ -87,6 +89,7 @@ impl MovingScene {
                 surface_id: 0,
                 direct: sky,
                 indirect: [0.0; 3],
+                visibility: 1.0,
                 volume,
                 scattering_depth,
             };
@@ -96,7 +99,7 @@ impl MovingScene {
         let shaded = [0, 1].map(|i| ((uv[i] + motion[i] * frame as f32) * self.extent[i] as f32).floor());
         let centre = [0, 1].map(|i| (shaded[i] + 0.5) / self.extent[i] as f32);
         let earlier = if frame == 0 { None } else { self.trace(0, centre).filter(|earlier| earlier.id == hit.id) };
-        let [direct, indirect] = light(earlier.as_ref().unwrap_or(&hit), shaded.map(|side| side as i32 as u32));
+        let [direct, indirect, visibility] = light(earlier.as_ref().unwrap_or(&hit), shaded.map(|side| side as i32 as u32));
         Pixel {
             depth: hit.depth,
             normal: hit.normal,
@@ -105,6 +108,7 @@ impl MovingScene {
             surface_id: hit.id,
             direct: hit.albedo.map(|a| a * direct),
             indirect: hit.albedo.map(|a| a * indirect),
+            visibility,
             volume,
             scattering_depth,
         }
@@ -160,15 +164,16 @@ impl MovingScene {
     }
 }
 
-/// One sample of the sun, and of light that comes by other surfaces.
-fn light(hit: &Hit, seed: [u32; 2]) -> [f32; 2] {
+/// One sample of the sun, of light that comes by other surfaces, and of the visibility of a lamp.
+fn light(hit: &Hit, seed: [u32; 2]) -> [f32; 3] {
     let u = [0, 1].map(|i| random(seed[0], seed[1], i));
     let [nx, ny, nz] = hit.normal;
     let sun = (0.4 * nx + 0.8 * ny + 0.45 * nz).max(0.0);
-    let lit = 0.5 + 0.5 * (1.7 * hit.point[0] + 0.9 * hit.point[2]).sin();
-    let direct = if u[0] < lit { 2.5 * sun } else { 0.0 };
+    let band = (1.7 * hit.point[0] + 0.9 * hit.point[2]).sin();
+    let direct = if u[0] < 0.5 + 0.5 * band { 2.5 * sun } else { 0.0 };
+    let visibility = f32::from(u[0] < 0.5 + 2.5 * band);
     // Exponential: as wide as its mean, as one path is.
-    [direct, (0.25 + 0.1 * ny) * -(1.0 - u[1]).ln()]
+    [direct, (0.25 + 0.1 * ny) * -(1.0 - u[1]).ln(), visibility]
 }
 
 fn ball_depth(eye: [f32; 3], ray: [f32; 3], ball: [f32; 4]) -> Option<f32> {

@@ -118,6 +118,7 @@ impl Graph {
         let levels = Levels { node: &node, count: atrous.levels, feedback: atrous.feedback };
         self.levels(levels, estimate, |name, level| {
             level_pass(&node, name, &shaders::ATROUS_SIGNALS_1, level)
+                .constant("KERNEL", Kernel::Box as u32)
                 .constant("VOLUME", 1)
                 .constant("LAST", u32::from(level + 1 == atrous.levels && !atrous.keeps_exposure))
                 .value("sigma_l", Value::Tunable("volume_sigma_l"))

@@ -13,8 +13,8 @@ use crate::reference::shadow_motion::{Occluders, Receiver};
 use crate::reference::statistics::count;
 use crate::reference::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
 use crate::reference::visibility::{
-    each, halves_of, histories_of, largest, lights_of, of_light, pack_visibility, write_words, Ruler, VisibilityHistory, Visible,
-    LONGEST_HISTORY,
+    each, halves, histories_of, largest, lights_of, of_light, pack_visibility, samples_of, write_words, Ruler, VisibilityHistory,
+    Visible, Words, BLOCK_HAS_LIT, BLOCK_HAS_OCCLUDED, LONGEST_HISTORY,
 };
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Counter, Error, FrameConstants, Statistics, Tuning};
@@ -27,6 +27,10 @@ mod tests;
 const NOTHING: f32 = 1e-3;
 /// Of weights of samples that may be equal but for rounding: the first one counts.
 const CLEARLY: f32 = 1.001;
+/// Pixels that the search reaches to each side.
+const SEARCH_REACH: i32 = 6;
+/// Samples that see the light, and samples that do not.
+const BLOCK_BITS: u32 = BLOCK_HAS_LIT | BLOCK_HAS_OCCLUDED;
 /// Pixels that always count as near.
 const NEAR: f32 = 1.5;
 /// Standard deviations of the interval that the history is clamped to, by the radius of the penumbra in pixels.
@@ -53,8 +57,10 @@ pub(crate) struct VisibilityAccumulationInputs<'a> {
     pub surface_motion: &'a Image<[u16; 4]>,
     /// The image `depth_gradient`, from the stage `import`.
     pub depth_gradient: &'a Image<u32>,
-    /// Samples of a light, from the stage `visibility_samples`: visibility, negative for none, and distance of the occluder.
-    pub samples: &'a Image<(Visible, f32)>,
+    /// Words of the samples of a light, from the stage `visibility_samples`.
+    pub samples: &'a Image<Words>,
+    /// Whether they have green and blue.
+    pub coloured: bool,
     /// By what occluders move.
     pub occluders: Occluders<'a>,
     /// Whether the visibility is that of all directions, and of no light.
@@ -68,6 +74,17 @@ pub(crate) struct VisibilityAccumulationInputs<'a> {
 struct Sample {
     visibility: Option<Visible>,
     distance: f32,
+    /// What its block of 8×8 pixels holds.
+    block: u32,
+}
+
+impl Sample {
+    fn unpacked([word, colours]: Words, coloured: bool) -> Self {
+        let block = word & BLOCK_BITS;
+        let [red, distance] = halves(word & !BLOCK_BITS);
+        let [green, blue] = if coloured { halves(colours) } else { [red; 2] };
+        Self { visibility: (red <= 1.0).then_some([red, green, blue]), distance, block }
+    }
 }
 
 /// A sample beside a pixel: its squared distance on the surface, and its weight by geometry.
@@ -107,7 +124,7 @@ pub(crate) fn visibility_accumulation(
 ) -> (Image<VisibilityHistory>, Statistics) {
     let geometry = Geometry::new(frame, tuning, inputs.guide, inputs.depth_gradient);
     let light_radius = tuning.light_radii()[inputs.occluders.light];
-    let samples = inputs.samples.map(|(v, distance)| Sample { visibility: (v[0] >= 0.0).then_some(*v), distance: *distance });
+    let samples = inputs.samples.map(|words| Sample::unpacked(*words, inputs.coloured));
     let previous = inputs.previous.filter(|_| !is_reset(frame));
     let before =
         previous.map(|(guide, _)| Image::compute(guide.extent(), frame.previous_render_extent, |p| unpack_guide(guide.at(p))));
@@ -121,13 +138,17 @@ pub(crate) fn visibility_accumulation(
         let ruler = Ruler::new(frame, surface.linear_depth, gradient);
         let rect = RenderRect::new(frame.render_extent);
         let around = Surroundings { geometry: &geometry, samples: &samples, rect, ruler, light_radius, ambient: inputs.ambient, p };
-        let search = around.search();
+        let uniform = around.uniform();
+        let search = uniform.map_or_else(|| around.search(), Search::of_one_kind);
         let past = previous.zip(before.as_ref()).and_then(|((_, history), surfaces)| {
             let motion = unpack_surface_motion(inputs.surface_motion.at(p));
             let reprojected = Reprojected::new(frame, tuning, (surface, p), &motion, gradient);
             let past_at = |at: Reprojected| {
                 let (taps, cubic) = at.taps(surfaces)?;
                 let (past, blur) = (weighted_history(&taps, history), ruler.blur(at.s - at.s.floor()));
+                if uniform.is_some() {
+                    return Some((past, 0.0));
+                }
                 let Some(cubic) = cubic else { return Some((past, blur)) };
                 let mean = each(|c| cubic.iter().map(|(q, weight)| weight * history.at(*q).mean[c]).sum::<f32>().clamp(0.0, 1.0));
                 Some((VisibilityHistory { mean, ..past }, CUBIC_BLUR * blur))
@@ -139,10 +160,10 @@ pub(crate) fn visibility_accumulation(
                 .and_then(|nearest| occluders.shadow_before(frame, &projections, &receiver, nearest));
             shadow.and_then(|at| past_at(reprojected.at(at.position, at.linear_depth))).or_else(|| past_at(reprojected))
         });
-        let Sample { visibility, distance } = samples.at(p);
+        let Sample { visibility, distance, .. } = samples.at(p);
         let is_followed = previous.is_some() && visibility.is_some_and(|v| v.iter().any(|v| *v < 1.0)) && distance > 0.0;
         let bad = [occluders.lacks_transform(p), occluders.has_bad_motion(p)].map(|bad| bad && is_followed);
-        (around.accumulate(tuning, &search, past), bad[0], bad[1])
+        (around.accumulate(tuning, uniform, &search, past), bad[0], bad[1])
     });
     let mut statistics = Statistics::default();
     statistics[Counter::OccluderId] = count(texels.texels().iter().map(|t| t.1));
@@ -170,11 +191,25 @@ fn reach(squared: f32, radius: f32) -> f32 {
     (1.0 - squared / (radius * radius)).max(0.0)
 }
 
+impl Search {
+    /// Around a pixel beside which all samples are alike.
+    fn of_one_kind(visibility: Visible) -> Self {
+        Self { distance: 0.0, occluded: visibility.map(|v| 1.0 - v), lit: visibility, nearest: None }
+    }
+}
+
 impl Surroundings<'_> {
+    /// The visibility of all samples that the search may reach, where the blocks of nine pixels say that they are alike.
+    fn uniform(&self) -> Option<Visible> {
+        let block = |i: i32| self.samples.at(self.rect.clamp(self.p + SEARCH_REACH * IVec2::new(i % 3 - 1, i / 3 - 1))).block;
+        let bits = (0..9).fold(0, |bits, i| bits | block(i));
+        self.samples.at(self.p).visibility.filter(|_| !self.ambient && bits != BLOCK_BITS)
+    }
+
     /// Samples of 5×5 pixels, `step` apart, that lie on the surface.
     fn taps(&self, step: i32) -> impl Iterator<Item = Tap> + '_ {
         self.rect.window(self.p, 2, step).filter(|(_, q)| !self.geometry.is_background(*q)).filter_map(move |(offset, q)| {
-            let Sample { visibility, distance } = self.samples.at(q);
+            let Sample { visibility, distance, .. } = self.samples.at(q);
             let squared = self.ruler.squared((offset * step).as_vec2());
             Some(Tap { q, squared, weight: self.geometry.weight(self.p, q), visibility: visibility?, distance })
         })
@@ -219,12 +254,18 @@ impl Surroundings<'_> {
         TOLERATED_BLUR * radius * radius + TOLERATED_BLUR_OF_ANY * self.ruler.squared_lengths().element_sum() / 2.0
     }
 
-    fn accumulate(&self, tuning: &Tuning, search: &Search, past: Option<(VisibilityHistory, f32)>) -> VisibilityHistory {
+    fn accumulate(
+        &self,
+        tuning: &Tuning,
+        uniform: Option<Visible>,
+        search: &Search,
+        past: Option<(VisibilityHistory, f32)>,
+    ) -> VisibilityHistory {
         let &Search { distance: searched, occluded, lit, .. } = search;
         let known = past.map_or(0.0, |(h, _)| h.occluder_distance);
         let distance = if known > 0.0 && searched > 0.0 { known + DISTANCE_ALPHA * (searched - known) } else { searched };
         let radius = self.light_radius * distance;
-        let (sum, of_lit) = self.window(radius);
+        let (sum, of_lit) = uniform.map_or_else(|| self.window(radius), |visibility| (1.0, visibility));
         let share = if sum > NOTHING { of_lit.map(|lit| lit / sum) } else { [1.0; 3] };
         let v = self.samples.at(self.p).visibility.unwrap_or(share);
         let fresh = VisibilityHistory { mean: v, deviation: 0.0, history_length: 1.0, occluder_distance: distance };
@@ -301,7 +342,8 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
             guide: b.packed("guide")?,
             surface_motion: b.packed("surface_motion")?,
             depth_gradient: b.uint("depth_gradient")?,
-            samples: &halves_of(b, ["visibility_samples", "sample_colours"], light)?,
+            samples: &samples_of(b, light)?,
+            coloured: b.has("sample_colours"),
             occluders: Occluders {
                 distance: Some(b.colour(&of_light("occluder_distance", light))?),
                 id: b.optional_uint(&of_light("occluder_id", light))?,

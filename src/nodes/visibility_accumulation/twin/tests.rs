@@ -1,7 +1,7 @@
 //! Shadows that stand still, move, are lit by a point, and lie under a camera that moves.
 
 use super::*;
-use crate::nodes::visibility_samples::twin::NO_SAMPLE;
+use crate::nodes::visibility_samples::twin::visibility_samples;
 use crate::reference::test_scene::*;
 use crate::reference::visibility::unpack_visibility;
 use crate::reference::{pack_depth_gradient, pack_surface_motion, InstanceTransform};
@@ -10,11 +10,10 @@ use crate::FrameParams;
 const EXTENT: [u32; 2] = [24, 24];
 
 /// Samples `(visibility, distance)` of a plane at depth 1, whose pixels are 2/24 scene units long.
-fn samples(of: impl Fn(i32, i32) -> (f32, f32)) -> Image<(Visible, f32)> {
-    paint(EXTENT, |x, y| {
-        let (v, d) = of(x, y);
-        ([v; 3], d)
-    })
+fn samples(of: impl Fn(i32, i32) -> (f32, f32)) -> Image<Words> {
+    let g = guides(EXTENT, |_, _| surface(1.0));
+    let [visibility, distance] = [0, 1].map(|i| paint(EXTENT, |x, y| [<[f32; 2]>::from(of(x, y))[i]; 4]));
+    visibility_samples(&frame(EXTENT), &g.guide, &visibility, &distance, false).0
 }
 
 struct Sequence {
@@ -33,9 +32,9 @@ impl Sequence {
         Self { guides: guides(EXTENT, |_, _| surface(1.0)), frame: frame(EXTENT), transform: None, history: None, tuning }
     }
 
-    fn frame(&mut self, samples: &Image<(Visible, f32)>) -> Image<VisibilityHistory> {
+    fn frame(&mut self, samples: &Image<Words>) -> Image<VisibilityHistory> {
         let g = &self.guides;
-        let distance = samples.map(|(_, distance)| [*distance; 4]);
+        let distance = samples.map(|[word, _]| [halves(word & !BLOCK_BITS)[1]; 4]);
         let (id, transforms) = (Image::new(EXTENT, 1), self.transform.map(|transform| [transform; 2]));
         let transforms = transforms.as_ref().map(<[_; 2]>::as_slice);
         let inputs = VisibilityAccumulationInputs {
@@ -43,6 +42,7 @@ impl Sequence {
             surface_motion: &g.surface_motion,
             depth_gradient: &g.depth_gradient,
             samples,
+            coloured: false,
             occluders: Occluders { distance: Some(&distance), id: Some(&id), transforms, ..Default::default() },
             ambient: false,
             previous: self.history.as_ref().map(|history| (&g.guide, history)),
@@ -56,7 +56,7 @@ impl Sequence {
 }
 
 /// An edge at x: lit to the right, with a penumbra of `radius` pixels to either side.
-fn edge(at: f32, radius: f32, seed: u32) -> Image<(Visible, f32)> {
+fn edge(at: f32, radius: f32, seed: u32) -> Image<Words> {
     let random = noise(EXTENT, seed);
     samples(move |x, y| {
         let seen = 0.5 + 0.5 * (x as f32 + 0.5 - at) / radius;
@@ -153,6 +153,7 @@ fn occluders_without_a_motion_that_can_be_used_are_counted() {
             surface_motion: &g.surface_motion,
             depth_gradient: &g.depth_gradient,
             samples: &shadow,
+            coloured: false,
             occluders,
             ambient: false,
             previous: Some((&g.guide, &history)),
@@ -170,13 +171,13 @@ fn occluders_without_a_motion_that_can_be_used_are_counted() {
 #[test]
 fn a_pixel_without_a_sample_takes_those_around() {
     let mut sequence = Sequence::new();
-    let hole = |v: f32| samples(move |x, y| if (x, y) == (8, 8) { (NO_SAMPLE, 0.0) } else { (v, if v < 1.0 { 2.0 } else { 0.0 }) });
+    let hole = |v: f32| samples(move |x, y| if (x, y) == (8, 8) { (f32::NAN, 0.0) } else { (v, if v < 1.0 { 2.0 } else { 0.0 }) });
     for v in [0.0, 1.0] {
         let first = sequence.frame(&hole(v));
         assert!(first.texels().iter().all(|h| h.mean == [v; 3]), "{v}");
         sequence.history = None;
     }
-    let none = sequence.frame(&samples(|_, _| (NO_SAMPLE, 0.0)));
+    let none = sequence.frame(&samples(|_, _| (f32::NAN, 0.0)));
     assert!(none.texels().iter().all(|h| h.mean == [1.0; 3] && h.deviation == 0.0));
 }
 
@@ -192,6 +193,7 @@ fn a_reset_frame_and_the_background_have_no_past() {
         surface_motion: &g.surface_motion,
         depth_gradient: &Image::new(EXTENT, pack_depth_gradient([0.0; 2])),
         samples: &lit,
+        coloured: false,
         occluders: Occluders::default(),
         previous: Some((&sequence.guides.guide, sequence.history.as_ref().expect("a frame"))),
     };

@@ -50,6 +50,7 @@ impl Content {
                     surface_id: 1,
                     direct: noise(0),
                     indirect: noise(1),
+                    visibility: random(x, y, 2).round(),
                     volume: noise(0),
                     scattering_depth: 3.0,
                 }

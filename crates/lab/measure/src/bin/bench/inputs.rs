@@ -118,7 +118,7 @@ fn texel(name: &str, p: &Pixel) -> [f32; 4] {
         _ if name.starts_with("occluder_distance") => [p.scattering_depth; 4],
         // What is in the way is of green glass.
         _ if name.starts_with("noisy_visibility") => {
-            if p.direct == [0.0; 3] {
+            if p.visibility == 0.0 {
                 [0.0, 0.75, 0.25, 0.0]
             } else {
                 [1.0; 4]
