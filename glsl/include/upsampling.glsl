@@ -14,7 +14,7 @@ const float LOG2_E = 1.4426950;
 // Of the Gauss, 1/(2σ²) with σ = 0.8 pixels of light.
 const float SHARPNESS = LOG2_E * 0.78125;
 // Of 1 - cos of two normals, which is half of their squared distance, in steps.
-const float NORMAL_SHARPNESS = LOG2_E * 4.0 * 0.5 / (NORMAL_STEPS * NORMAL_STEPS);
+const float NORMAL_SHARPNESS = LOG2_E * 16.0 * 0.5 / (NORMAL_STEPS * NORMAL_STEPS);
 // Distance from the plane of a surface, in shares of its depth, at which a weight is down to 1/e.
 const float PLANE_TOLERANCE = 0.02;
 // Of the difference of two depths behind a volume, as a share of the larger one: down to 1/e at an eighth.

@@ -229,7 +229,7 @@ impl Backend for Passes {
         let loss = self.watch.look(&self.runner.statistics()?);
         let mut outputs = FrameOutputs { radiance, further: self.further()?, views: Vec::new(), loss };
         if views {
-            let extent = self.runner.declaration().allocated_extent();
+            let extent = view_extent(self.runner.declaration());
             for view in self.runner.declaration().debug_views() {
                 outputs.views.push((view, view_picture(extent, &self.runner.debug_view(view)?)?));
             }
@@ -267,6 +267,12 @@ fn add(radiance: &mut [[f32; 3]], part: &[[f32; 4]]) {
     for (sum, texel) in radiance.iter_mut().zip(part) {
         *sum = std::array::from_fn(|c| sum[c] + texel[c]);
     }
+}
+
+/// Pixels of a view: those that have light.
+fn view_extent(declaration: &Declaration) -> [u32; 2] {
+    let view = declaration.find("debug_view").and_then(|id| declaration.resource(id).extent(declaration.setup()));
+    view.unwrap_or(declaration.allocated_extent())
 }
 
 /// A view as a picture: the alpha channel holds the numbers behind the colours.

@@ -92,14 +92,15 @@ impl Channels<'_> {
     }
 
     /// The picture without what is not filtered with it, and that: parts are never more than the
-    /// whole, so that their sum is the picture also where a renderer left one of them out of it.
+    /// whole, so that their sum is the picture also where a renderer left one of them out of it. Light of fewer pixels says that of
+    /// those alone that were traced, and emission is there for all.
     fn whole(&mut self) -> (Option<Texels>, Option<Texels>) {
         let (noisy, emission) = (self.vectors(Role::Noisy), self.emission());
         let Some(noisy) = noisy.filter(|_| !self.setup.mapping.has(Role::Lighting)) else {
             return (None, emission);
         };
-        let is_verbatim = self.setup.is_verbatim();
-        let emission = emission.map(|emission| if is_verbatim { emission } else { within(&emission, &noisy) });
+        let is_whole = self.setup.is_verbatim() || self.setup.config.light_extent.is_some();
+        let emission = emission.map(|emission| if is_whole { emission } else { within(&emission, &noisy) });
         let mut left = without(&noisy, &emission);
         if self.setup.config.volume && self.setup.mapping.layout == Layout::Blender {
             let volume = self.volume().map(|volume| within(&volume, &left));

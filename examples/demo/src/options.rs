@@ -27,8 +27,8 @@ pub struct Options {
     /// Width and height in pixels; default: 320x180, in a window on a device that is not software 1280x720
     #[arg(long, value_parser = size)]
     pub size: Option<[u32; 2]>,
-    /// Jitter the primary rays, and write pictures of this size, 1 to 3 times the other one, such as 640x360: OUT/SCENE/display_FILTER
-    #[arg(long, value_parser = size, conflicts_with = "window")]
+    /// Jitter the primary rays, and show pictures of this size, 1 to 3 times the other one, such as 640x360: in the window, or in OUT/SCENE/display_FILTER
+    #[arg(long, value_parser = size)]
     pub output_size: Option<[u32; 2]>,
     /// Frames of the animation
     #[arg(long, default_value_t = 24, value_parser = clap::value_parser!(u32).range(1..))]
@@ -75,7 +75,7 @@ pub struct Options {
     #[arg(long)]
     pub ambient: bool,
     /// Light of half of the columns and rows, beside guides of every pixel
-    #[arg(long, conflicts_with_all = ["window", "visibility", "ambient"])]
+    #[arg(long)]
     pub half_light: bool,
     /// How reflections follow what moves in them, with specular light apart
     #[arg(long, value_enum, default_value_t)]
@@ -148,6 +148,8 @@ impl Options {
             device: self.device.clone(),
             validation: self.validate,
             size: self.size,
+            output_size: self.output_size,
+            half_light: self.half_light,
             window_size: self.window_size,
             settings_file: self.settings.clone(),
             scene: self.scenes.first().cloned(),

@@ -1,5 +1,5 @@
 #version 450
-// Ambient occlusion at one ray per pixel: see include/ambient.glsl.
+// Ambient occlusion at one ray per pixel of light: see include/ambient.glsl.
 // In: visibility, seed. Out: noisy_ambient: 0 where something is near, else 1; ambient_distance: how far away it is, scene units, else 0.
 #extension GL_GOOGLE_include_directive : require
 #include "ambient.glsl"
@@ -10,11 +10,12 @@ layout(set = 1, binding = 3, r32f) uniform writeonly image2D ambient_distance_im
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(pixel, ivec2(frame.extent_frame_seed.xy)))) return;
-    Visibility visibility = fetch_visibility(pixel);
+    if (any(greaterThanEqual(pixel, light_extent()))) return;
+    ivec2 seen = seen_pixel_of(pixel);
+    Visibility visibility = fetch_visibility(seen);
     float hit = 0.0;
     if (visibility.instance != NO_INSTANCE) {
-        Rng rng = rng_of_pixel(imageLoad(seed_image, pixel).r, AMBIENT_SEED);
+        Rng rng = rng_of_pixel(imageLoad(seed_image, seen).r, AMBIENT_SEED);
         hit = ambient_hit(surface_at(visibility, frame.camera.eye.xyz), rng);
     }
     imageStore(noisy_ambient_image, pixel, vec4(hit > 0.0 ? 0.0 : 1.0));

@@ -1,7 +1,7 @@
 #version 450
-// A lamp at one shadow ray per pixel, apart from the path: see include/lamp.glsl.
+// A lamp at one shadow ray per pixel of light, apart from the path: see include/lamp.glsl.
 // In: visibility, seed. Out: noisy_visibility: 0 to 1, rgb; occluder_distance: along the ray, scene units, 0 where nothing is in the way;
-// occluder_id: surface_id of what is; unshadowed_direct: linear radiance that the surface reflects where nothing is.
+// occluder_id: surface_id of what is; unshadowed_direct, of every pixel: linear radiance that the surface reflects where nothing is.
 #extension GL_GOOGLE_include_directive : require
 #include "lamp.glsl"
 
@@ -14,14 +14,17 @@ layout(set = 1, binding = 5, r32ui) uniform writeonly uimage2D occluder_id_image
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, ivec2(frame.extent_frame_seed.xy)))) return;
+    ivec2 lit = pixel / ivec2(frame.light.xy);
+    bool traced = seen_pixel_of(lit) == pixel;
     Visibility visibility = fetch_visibility(pixel);
     LampSample lamp = LampSample(vec3(1.0), 0.0, 0u, vec3(0.0));
     if (visibility.instance != NO_INSTANCE) {
         Rng rng = rng_of_pixel(imageLoad(seed_image, pixel).r, lamp_seed());
-        lamp = sample_visible_lamp(surface_at(visibility, frame.camera.eye.xyz), rng);
+        lamp = sample_visible_lamp(surface_at(visibility, frame.camera.eye.xyz), traced, rng);
     }
-    imageStore(noisy_visibility_image, pixel, vec4(lamp.visibility, 1.0));
-    imageStore(occluder_distance_image, pixel, vec4(lamp.occluder_distance));
-    imageStore(occluder_id_image, pixel, uvec4(lamp.occluder_id));
     imageStore(unshadowed_direct_image, pixel, vec4(lamp.unshadowed, 1.0));
+    if (!traced) return;
+    imageStore(noisy_visibility_image, lit, vec4(lamp.visibility, 1.0));
+    imageStore(occluder_distance_image, lit, vec4(lamp.occluder_distance));
+    imageStore(occluder_id_image, lit, uvec4(lamp.occluder_id));
 }

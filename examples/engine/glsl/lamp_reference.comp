@@ -16,7 +16,7 @@ void main() {
     vec3 seen = vec3(1.0);
     if (visibility.instance != NO_INSTANCE) {
         Rng rng = rng_new(imageLoad(seed_image, pixel).r ^ REFERENCE_SEED ^ lamp_seed(), uint(sum.a));
-        seen = sample_visible_lamp(surface_at(visibility, frame.camera.eye.xyz), rng).visibility;
+        seen = sample_visible_lamp(surface_at(visibility, frame.camera.eye.xyz), true, rng).visibility;
     }
     imageStore(lamp_sum_image, pixel, sum + vec4(seen, 1.0));
 }

@@ -29,6 +29,49 @@ fn two_runs_are_bit_identical_and_seeds_matter() {
 }
 
 #[test]
+fn light_of_half_the_size_is_that_of_the_pixels_it_was_traced_for() {
+    let Some(gpu) = Validated::new() else { return };
+    for name in ["chapel", "fog"] {
+        let scene = built_in(name, SceneOptions::default());
+        let whole = TracerOptions { lamps_apart: true, ambient: true, ..Default::default() };
+        let mut tracers = [whole, TracerOptions { half_light: true, ..whole }].map(|options| tracer(&gpu, &scene, options));
+        // Another pixel of 2x2 in each.
+        for frame in [0, 1] {
+            tracers.iter_mut().for_each(|tracer| render(&gpu, tracer, frame));
+            let [whole, half] = tracers.each_ref().map(light_images);
+            assert!(whole.len() > 9, "{name}");
+            let (columns, [x0, y0]) = (tracers[1].light_extent().width, tracers[1].light_offset());
+            for (whole, half) in whole.into_iter().zip(half) {
+                let [picture, light] = [whole, half].map(|image| gpu.0.read_bytes(image).expect("bytes"));
+                let texel = light.len() / (half.extent.width * half.extent.height) as usize;
+                assert!(half.extent == tracers[1].light_extent() && whole.extent == SMALL, "{name}: {}", whole.name);
+                for (pixel, lit) in (0..).zip(light.chunks_exact(texel)) {
+                    let (x, y) = (2 * (pixel % columns) + x0, 2 * (pixel / columns) + y0);
+                    let at = (y * SMALL.width + x) as usize * texel;
+                    assert_eq!(lit, &picture[at..at + texel], "{name}, frame {frame}, {}: pixel {x}, {y}", whole.name);
+                }
+            }
+            let unshadowed = tracers.each_ref().map(|tracer| {
+                let lamps = tracer.lamps_apart().iter().map(|lamp| &lamp.unshadowed_direct);
+                lamps.map(|image| gpu.0.read_bytes(image).expect("bytes")).collect::<Vec<_>>()
+            });
+            assert!(unshadowed[0] == unshadowed[1], "{name}: of every pixel");
+        }
+    }
+}
+
+/// What is traced for pixels of light.
+fn light_images(tracer: &PathTracer) -> Vec<&Image> {
+    let mut all = tracer.outputs().lighting().to_vec();
+    for lamp in tracer.lamps_apart() {
+        all.extend([&lamp.noisy_visibility, &lamp.occluder_distance, &lamp.occluder_id]);
+    }
+    all.extend(tracer.ambient().iter().flat_map(|ambient| [&ambient.noisy_ambient, &ambient.ambient_distance]));
+    all.extend(tracer.volume().iter().flat_map(|volume| [&volume.noisy_volume, &volume.scattering_depth]));
+    all
+}
+
+#[test]
 fn references_are_bit_identical() {
     let Some(gpu) = Validated::new() else { return };
     let scene = built_in("glossy", SceneOptions::default());

@@ -1,5 +1,5 @@
 #version 450
-// One half of the split screen: a weighted sum of four images of the engine.
+// One half of the split screen: a weighted sum of four images of the engine, each enlarged to its size by the nearest pixel.
 // In:  a, b, c, d and their weights. Out: pane. rgb: the sum (radiance, or display-referred where the images are); a: that of a.
 #extension GL_EXT_samplerless_texture_functions : require
 
@@ -14,11 +14,12 @@ layout(push_constant) uniform Weights { vec4 weights; };
 
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(p, imageSize(pane)))) return;
-    vec4 first = texelFetch(a, p, 0);
+    ivec2 extent = imageSize(pane);
+    if (any(greaterThanEqual(p, extent))) return;
+    vec4 first = texelFetch(a, p * textureSize(a, 0) / extent, 0);
     vec3 sum = weights.x * first.rgb;
-    if (weights.y != 0.0) sum += weights.y * texelFetch(b, p, 0).rgb;
-    if (weights.z != 0.0) sum += weights.z * texelFetch(c, p, 0).rgb;
-    if (weights.w != 0.0) sum += weights.w * texelFetch(d, p, 0).rgb;
+    if (weights.y != 0.0) sum += weights.y * texelFetch(b, p * textureSize(b, 0) / extent, 0).rgb;
+    if (weights.z != 0.0) sum += weights.z * texelFetch(c, p * textureSize(c, 0) / extent, 0).rgb;
+    if (weights.w != 0.0) sum += weights.w * texelFetch(d, p * textureSize(d, 0) / extent, 0).rgb;
     imageStore(pane, p, vec4(min(sum, 65504.0), first.a));
 }

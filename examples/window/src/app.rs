@@ -130,7 +130,7 @@ impl App {
         let proxy = self.proxy.clone();
         // The loop may be gone already when the last frame is done.
         let wake = move || drop(proxy.send_event(Woken));
-        let engine = EngineThread::start(&gpu, self.options.extent(&gpu), &self.shared, wake);
+        let engine = EngineThread::start(&gpu, self.options.sizes(&gpu), &self.shared, wake);
         self.log.line(&format!("ready {}", gpu.info().name));
         self.live = Some(Live {
             #[cfg(feature = "hot-reload")]

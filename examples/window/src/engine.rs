@@ -4,8 +4,6 @@ use std::sync::Arc;
 use std::thread::JoinHandle;
 use std::time::Instant;
 
-use ash::vk;
-
 use super::content::Content;
 use super::error_view::Wake;
 use super::jobs::Jobs;
@@ -16,6 +14,7 @@ use super::record::Seen;
 use super::reload::ShaderErrors;
 use super::settings::Settings;
 use super::shared::{Request, Shared, Wanted};
+use super::sizes::Sizes;
 use super::world::World;
 use crate::error::Result;
 use atrous_engine::gpu::Gpu;
@@ -32,12 +31,12 @@ pub struct EngineThread {
 
 impl EngineThread {
     /// Starts; `wake` is called after every frame.
-    pub fn start(gpu: &Gpu, extent: vk::Extent2D, shared: &Arc<Shared>, wake: impl Fn() + Send + 'static) -> Self {
+    pub fn start(gpu: &Gpu, sizes: Sizes, shared: &Arc<Shared>, wake: impl Fn() + Send + 'static) -> Self {
         let awake = shared.clone();
         let measured: Wake = Arc::new(move || awake.want(|_| ()));
         let (gpu, worker) = (gpu.clone(), shared.clone());
         let work = move || {
-            if let Err(error) = run(&gpu, extent, &worker, &wake, measured) {
+            if let Err(error) = run(&gpu, sizes, &worker, &wake, measured) {
                 worker.notify(true, error.to_string());
             }
             worker.report().stopped = true;
@@ -57,8 +56,8 @@ impl Drop for EngineThread {
     }
 }
 
-fn run(gpu: &Gpu, extent: vk::Extent2D, shared: &Shared, wake: &dyn Fn(), measured: Wake) -> Result<()> {
-    let mut engine = Engine::new(gpu, extent, shared, measured)?;
+fn run(gpu: &Gpu, sizes: Sizes, shared: &Shared, wake: &dyn Fn(), measured: Wake) -> Result<()> {
+    let mut engine = Engine::new(gpu, sizes, shared, measured)?;
     let mut seen = 0;
     loop {
         let busy = engine.is_busy();
@@ -83,10 +82,10 @@ struct Made {
 }
 
 impl Made {
-    fn new(settings: &Settings, view: Option<View>) -> Self {
+    fn new(settings: &Settings, sizes: &Sizes, view: Option<View>) -> Self {
         let mut tuning = Settings { tuning: settings.tuning.clone(), exposure: settings.exposure, ..Settings::default() };
-        if settings.taa {
-            // Anti-aliasing comes after the tone map, which else is the window's.
+        if sizes.are_tones_mapped(settings) {
+            // Else the tone map is the window's.
             tuning.tone_curve = settings.tone_curve;
         }
         Self { contents: [settings.left, settings.right], tuning, view }
@@ -95,6 +94,7 @@ impl Made {
 
 struct Engine {
     gpu: Gpu,
+    sizes: Sizes,
     world: World,
     panes: Arc<Panes>,
     writer: PaneWriter,
@@ -108,14 +108,15 @@ struct Engine {
 }
 
 impl Engine {
-    fn new(gpu: &Gpu, extent: vk::Extent2D, shared: &Shared, measured: Wake) -> Result<Self> {
+    fn new(gpu: &Gpu, sizes: Sizes, shared: &Shared, measured: Wake) -> Result<Self> {
         let settings = shared.settings();
-        let world = World::new(gpu, extent, &settings)?;
-        let panes = Arc::new(Panes::new(gpu, extent)?);
+        let world = World::new(gpu, sizes, &settings)?;
+        let panes = Arc::new(Panes::new(gpu, sizes.shown())?);
         shared.report().panes = Some(panes.clone());
         let writer = PaneWriter::new(gpu, &panes)?;
         Ok(Self {
             gpu: gpu.clone(),
+            sizes,
             world,
             panes,
             writer,
@@ -144,7 +145,7 @@ impl Engine {
         let reloaded = self.take_shaders(shared, &wanted.recompiled) || reloaded;
         self.jobs.take(shared, &wanted.requests);
         let flown = self.jobs.next_view();
-        let made = Made::new(settings, flown.or(wanted.view));
+        let made = Made::new(settings, &self.sizes, flown.or(wanted.view));
         let advance = !settings.paused || wanted.steps > 0 || self.jobs.is_flying();
         let stands = !advance && !reloaded && !wanted.reset && self.is_enough(&made);
         if !stands {
@@ -160,7 +161,7 @@ impl Engine {
         let seen = Seen {
             panes: &self.panes,
             settings,
-            display_referred: display_referred(settings),
+            display_referred: display_referred(settings, &self.sizes),
             legends: made.contents.map(|content| legend::of_content(content, paths, &errors)),
         };
         if !stands {
@@ -201,7 +202,7 @@ impl Engine {
         let mut report = shared.report();
         report.frames = self.frames;
         report.shown = Some(contents);
-        report.display_referred = display_referred(settings);
+        report.display_referred = display_referred(settings, &self.sizes);
         if let Some(start) = start {
             report.milliseconds = 1e3 * start.elapsed().as_secs_f32();
         }
@@ -221,10 +222,10 @@ impl Engine {
 }
 
 /// Bit 0: what is left went through a tone map already, bit 1: what is right.
-fn display_referred(settings: &Settings) -> u32 {
+fn display_referred(settings: &Settings, sizes: &Sizes) -> u32 {
     let is_mapped = |content| match content {
         Content::Debug(..) | Content::Error(_) => true,
-        Content::Filtered(_) => settings.taa,
+        Content::Filtered(_) => sizes.are_tones_mapped(settings),
         Content::Noisy | Content::Reference => false,
     };
     u32::from(is_mapped(settings.left)) | u32::from(is_mapped(settings.right)) << 1
@@ -237,7 +238,8 @@ mod tests {
     #[test]
     fn a_paused_picture_follows_what_the_filters_make_of_it() {
         let plain = Settings::default();
-        let made = |settings: &Settings| Made::new(settings, None);
+        let same = Sizes::of(ash::vk::Extent2D { width: 32, height: 18 });
+        let made = |settings: &Settings| Made::new(settings, &same, None);
         let linear = Settings { tone_curve: atrous::ToneCurve::Linear, ..plain.clone() };
         assert!(made(&plain) == made(&linear), "the window maps tones");
         let [plain_taa, linear_taa] = [plain.clone(), linear].map(|settings| Settings { taa: true, ..settings });

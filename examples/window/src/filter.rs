@@ -21,11 +21,11 @@ pub struct Filter {
     pub radiance: Image,
     /// That of the medium, where there is one.
     pub medium: Option<Image>,
-    /// The same, tone-mapped and anti-aliased.
-    display: Image,
-    /// Whether the filter has it.
-    taa: bool,
-    /// The debug view.
+    /// The same, tone-mapped, and gathered over time where the filter does so.
+    pub display: Image,
+    /// Whether the filter does so.
+    is_gathered: bool,
+    /// The debug view, of the pixels that have light.
     pub debug: Image,
     /// The tracer's frame that it saw last.
     last_frame: Option<u32>,
@@ -34,26 +34,31 @@ pub struct Filter {
 }
 
 impl Filter {
-    /// Makes a filter for a tracer's images.
+    /// Makes a filter for a tracer's images. `gathered`: temporal anti-aliasing, and another size of the output.
     ///
     /// # Errors
-    /// No memory.
-    pub fn new(gpu: &Gpu, tracer: &PathTracer, preset: Preset, taa: bool) -> Result<Self> {
-        let image = |name| Image::new(gpu, name, vk::Format::R16G16B16A16_SFLOAT, tracer.extent());
-        let (radiance, display, debug) = (image("radiance")?, image("display")?, image("debug view")?);
-        let medium = tracer.volume().map(|_| image("medium")).transpose()?;
+    /// An output that is smaller than the tracer's images or more than three times as large, or no memory.
+    pub fn new(gpu: &Gpu, tracer: &PathTracer, preset: Preset, gathered: (bool, Option<vk::Extent2D>)) -> Result<Self> {
+        let image = |name, extent| Image::new(gpu, name, vk::Format::R16G16B16A16_SFLOAT, extent);
+        let ((taa, output), rendered) = (gathered, tracer.extent());
+        let radiance = image("radiance", rendered)?;
+        let display = image("display", output.unwrap_or(rendered))?;
+        let debug = image("debug view", tracer.light_extent())?;
+        let medium = tracer.volume().map(|_| image("medium", rendered)).transpose()?;
         let outputs = [("denoised_radiance", &radiance), ("display", &display), ("debug_view", &debug)];
         let outputs: Vec<_> = outputs.into_iter().chain(medium.as_ref().map(|image| ("denoised_volume", image))).collect();
         prepare(gpu, &outputs.iter().map(|output| output.1).collect::<Vec<_>>())?;
         let options = DenoiserOptions::new(preset).with(|config| {
             config.debug_view = true;
+            config.output_extent = output.map(|extent| [extent.width, extent.height]);
             config.post_process = if taa { PostProcess::ToneMapTaa } else { PostProcess::ToneMap };
         });
         let mut denoiser = FrameDenoiser::new(gpu, tracer, &options)?;
         for (name, image) in outputs {
             denoiser.bind_output(name, image)?;
         }
-        Ok(Self { denoiser, preset, radiance, medium, display, taa, debug, last_frame: None, remembered: None })
+        let is_gathered = taa || output.is_some();
+        Ok(Self { denoiser, preset, radiance, medium, display, is_gathered, debug, last_frame: None, remembered: None })
     }
 
     /// Denoises the tracer's frame, whose G-buffer was drawn, with motion from the moment `before` to `now`. Its history goes on from there, however
@@ -75,9 +80,9 @@ impl Filter {
         self.remembered = None;
     }
 
-    /// What came out, display-referred with temporal anti-aliasing.
+    /// What came out, display-referred where it is gathered over time.
     pub fn source(&self) -> Source<'_> {
-        if self.taa {
+        if self.is_gathered {
             return Source::of(&self.display);
         }
         self.linear()

@@ -32,6 +32,7 @@ mod reference;
 mod reload;
 mod settings;
 mod shared;
+mod sizes;
 mod surface_format;
 mod swapchain;
 mod target;
@@ -56,6 +57,7 @@ pub use settings::Settings;
 use app::App;
 use atrous_engine::gpu::{Gpu, GpuOptions};
 use atrous_engine::Doing;
+use sizes::Sizes;
 use swapchain::Surface;
 
 /// What the window is asked for.
@@ -67,6 +69,10 @@ pub struct WindowOptions {
     pub validation: bool,
     /// Pixels of the picture; `None`: 320x180 on software devices, 1280x720 on others.
     pub size: Option<[u32; 2]>,
+    /// Pixels that filters gather over time; `None`: those of the picture.
+    pub output_size: Option<[u32; 2]>,
+    /// Light has half of the picture's columns and rows.
+    pub half_light: bool,
     /// Pixels of the window.
     pub window_size: [u32; 2],
     /// Settings to start with, and to save into.
@@ -98,10 +104,10 @@ impl WindowOptions {
         Ok(settings)
     }
 
-    fn extent(&self, gpu: &Gpu) -> vk::Extent2D {
+    fn sizes(&self, gpu: &Gpu) -> Sizes {
         let default = if gpu.info().kind == "software" { [320, 180] } else { [1280, 720] };
-        let [width, height] = self.size.unwrap_or(default);
-        vk::Extent2D { width, height }
+        let extent = |[width, height]: [u32; 2]| vk::Extent2D { width, height };
+        Sizes { rendered: extent(self.size.unwrap_or(default)), output: self.output_size.map(extent), half_light: self.half_light }
     }
 }
 

@@ -3,7 +3,6 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use ash::vk;
 use atrous::config::Preset;
 
 use super::clock::Clock;
@@ -16,12 +15,13 @@ use super::reference::GrowingReference;
 use super::reload::LiveShaders;
 use super::settings::Settings;
 use super::shared::Shared;
+use super::sizes::Sizes;
 use crate::error::Result;
 use atrous_engine::gpu::Gpu;
 #[cfg(feature = "hot-reload")]
 use atrous_engine::hot_reload::{Compiled, Owner};
 use atrous_engine::scene::View;
-use atrous_engine::{PathTracer, Scene, SceneOptions, TracerOptions};
+use atrous_engine::{PathTracer, Scene, SceneOptions};
 
 /// A reference is good enough with so many paths a pixel.
 const REFERENCE_LIMIT: u32 = 16384;
@@ -43,6 +43,7 @@ pub struct World {
     /// Where they are shown.
     errors: Option<ErrorViews>,
     tracer: PathTracer,
+    sizes: Sizes,
     clock: Clock,
     #[cfg(feature = "hot-reload")]
     shaders: LiveShaders,
@@ -56,9 +57,9 @@ impl World {
     ///
     /// # Errors
     /// A scene that cannot be loaded, or no memory.
-    pub fn new(gpu: &Gpu, extent: vk::Extent2D, settings: &Settings) -> Result<Self> {
+    pub fn new(gpu: &Gpu, sizes: Sizes, settings: &Settings) -> Result<Self> {
         let scene = Arc::new(Scene::load(&settings.scene, &SceneOptions::default())?);
-        let tracer = PathTracer::new(gpu, &scene, extent, tracer_options(settings))?;
+        let tracer = PathTracer::new(gpu, &scene, sizes.rendered, sizes.tracer_options(settings))?;
         Ok(Self {
             gpu: gpu.clone(),
             scene,
@@ -68,6 +69,7 @@ impl World {
             reference: None,
             errors: None,
             tracer,
+            sizes,
             clock: Clock::default(),
             #[cfg(feature = "hot-reload")]
             shaders: LiveShaders::default(),
@@ -88,8 +90,8 @@ impl World {
             true => Ok(self.scene.clone()),
             false => Scene::load(&settings.scene, &SceneOptions::default()).map(Arc::new),
         };
-        let extent = self.tracer.extent();
-        let made = scene.and_then(|scene| Ok((PathTracer::new(&self.gpu, &scene, extent, tracer_options(settings))?, scene)));
+        let (extent, options) = (self.sizes.rendered, self.sizes.tracer_options(settings));
+        let made = scene.and_then(|scene| Ok((PathTracer::new(&self.gpu, &scene, extent, options)?, scene)));
         self.asked.clone_from(&settings.scene);
         self.taa = settings.taa;
         match made {
@@ -149,7 +151,7 @@ impl World {
                 Some(index) => index,
                 None => {
                     #[cfg_attr(not(feature = "hot-reload"), allow(unused_mut))]
-                    let mut filter = Filter::new(&gpu, &self.tracer, preset, self.taa)?;
+                    let mut filter = Filter::new(&gpu, &self.tracer, preset, (self.taa, self.sizes.output))?;
                     #[cfg(feature = "hot-reload")]
                     self.shaders.put_into(|shader| Ok(filter.replace_shader(shader)?))?;
                     self.filters.push(filter);
@@ -259,10 +261,6 @@ impl World {
     pub fn scene_name(&self) -> &str {
         &self.scene.name
     }
-}
-
-fn tracer_options(settings: &Settings) -> TracerOptions {
-    TracerOptions { jitter: settings.taa, ..TracerOptions::default() }
 }
 
 /// The filters that have to run, each once.

@@ -17,7 +17,7 @@ const SIGMA: f32 = 0.8;
 /// Distance from the plane of a surface, in shares of its depth, at which a weight is down to 1/e.
 const PLANE_TOLERANCE: f32 = 0.02;
 /// Of 1 − cos of two normals.
-const NORMAL_SHARPNESS: f32 = 4.0;
+const NORMAL_SHARPNESS: f32 = 16.0;
 /// Of the difference of two depths behind a volume, as a share of the larger one.
 const VOLUME_SHARPNESS: f32 = 8.0;
 /// Weight of taps on other surfaces.

@@ -39,7 +39,9 @@ pub fn look(mut channels: Channels<'_>, setup: &Setup) -> Vec<Finding> {
             findings.push(Finding { roles: roles.to_vec(), note });
         }
     };
-    let above = |part: Option<Texels>| part.map_or(0.0, |part| share_above(&part, &noisy, floor));
+    // Light of fewer pixels stands for pixels that it was not traced for, whose parts are others.
+    let is_of_all = setup.config.light_extent.is_none();
+    let above = |part: Option<Texels>| part.filter(|_| is_of_all).map_or(0.0, |part| share_above(&part, &noisy, floor));
     add("environment", above(channels.vectors(Role::Environment)), &[Role::Environment]);
     add("emission", above(channels.vectors(Role::Emission)), &[Role::Emission]);
     if has(Role::DemodulatedDirect) {

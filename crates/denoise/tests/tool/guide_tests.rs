@@ -3,9 +3,11 @@
 use super::look_tests::{folder, looked_at, red, written};
 use crate::samples::scene::{Frame, Scene};
 use crate::samples::{self, frame_path, Sample, Type};
+use atrous_denoise::exr_read::{read, Samples};
 use atrous_denoise::roles::Role;
 use atrous_denoise::setup::{Options, Setup};
 use atrous_denoise::{first_look, frame, frame_files};
+use atrous_lab::pictures::Picture;
 
 #[test]
 fn depth_is_looked_up_for_what_the_camera_carries() {
@@ -105,6 +107,15 @@ fn a_lobe_is_no_albedo() {
 
 /// Frames of light of half the size of their guides, with the pixel that was traced.
 fn light_and_guides(offset: &str) -> [tempfile::TempDir; 2] {
+    light_and_guides_with(offset, |light| light, |guides| guides)
+}
+
+/// The same with further channels.
+fn light_and_guides_with(
+    offset: &str,
+    more_light: impl Fn(Sample) -> Sample,
+    more_guides: impl Fn(Sample) -> Sample,
+) -> [tempfile::TempDir; 2] {
     let [light, guides] = [folder(), folder()];
     let cameras = super::layout_tests::cameras(&[0.0; 3]);
     std::fs::write(guides.path().join("sequence.json"), &cameras).expect("a file");
@@ -117,10 +128,9 @@ fn light_and_guides(offset: &str) -> [tempfile::TempDir; 2] {
         of_guides.channels.retain(|(name, ..)| ["depth", "normal", "mv", "id", "prevz"].iter().any(|part| name.starts_with(part)));
         let of_guides =
             ["R", "G", "B"].iter().fold(of_guides, |sample, c| sample.channel(&format!("albedo.{c}"), Type::Half, columns));
-        of_guides.write(&frame_path(guides.path(), number));
-        Sample::new(samples::WIDTH / 2, samples::HEIGHT / 2)
-            .flat("noisy.R noisy.G noisy.B", Type::Half, 0.4)
-            .write(&frame_path(light.path(), number));
+        more_guides(of_guides).write(&frame_path(guides.path(), number));
+        let of_light = Sample::new(samples::WIDTH / 2, samples::HEIGHT / 2).flat("noisy.R noisy.G noisy.B", Type::Half, 0.4);
+        more_light(of_light).write(&frame_path(light.path(), number));
     }
     [light, guides]
 }
@@ -137,6 +147,33 @@ fn light_of_fewer_pixels_has_its_guides_elsewhere() {
         let is_right = |(i, value): (usize, &f32)| (value - if i % 2 == 0 { even } else { odd }).abs() < 0.01;
         assert!(result.iter().enumerate().all(is_right), "{offset}: {:?}", &result[..4]);
     }
+}
+
+#[test]
+fn visibility_of_fewer_pixels_goes_with_light_of_fewer_pixels() {
+    let visibility = |light: Sample| light.flat("visibility.Z", Type::Half, 0.25).flat("occluder_distance.Z", Type::Half, 1.0);
+    let parts = |mut guides: Sample| {
+        for c in ["R", "G", "B"] {
+            guides = guides.channel(&format!("unshadowed_direct.{c}"), Type::Half, |x, _| if x % 2 == 0 { 0.2 } else { 0.8 });
+            // Only beside the traced pixels.
+            guides = guides.channel(&format!("emission.{c}"), Type::Half, |x, _| if x % 2 == 0 { 0.0 } else { 3.0 });
+        }
+        guides
+    };
+    let ([light, guides], output) = (light_and_guides_with("[0, 1]", visibility, parts), folder());
+    let arguments = ["--preset", "svgf", "--views", "--guides", guides.path().to_str().expect("UTF-8")];
+    samples::denoise(light.path(), output.path(), &arguments).expect("a run");
+    let result = red(&frame_path(output.path(), 2));
+    // An irradiance of 2 by the albedo, the visible part of the direct light, and what shines.
+    let [even, odd] = [2.0 * 0.2 + 0.25 * 0.2, 2.0 * 0.8 + 0.25 * 0.8 + 3.0];
+    let is_right = |(i, value): (usize, &f32)| (value - if i % 2 == 0 { even } else { odd }).abs() < 0.02;
+    assert!(result.iter().enumerate().all(is_right), "{:?}", &result[..4]);
+    let planes = read(&frame_path(output.path(), 2), |channel| channel.name == "denoised_visibility.Z").expect("a frame").samples;
+    let Some(Samples::Float(seen)) = planes.get("denoised_visibility.Z") else { panic!("{:?}", planes.keys()) };
+    assert!(seen.len() == result.len() && seen.iter().all(|v| (v - 0.25).abs() < 1e-2), "{:?}", &seen[..4]);
+    let views = std::fs::read_dir(output.path().join("views")).expect("views").map(|view| view.expect("a file").path());
+    let sizes: Vec<_> = views.map(|view| Picture::read_png(&view).expect("a picture")).map(|view| view.width()).collect();
+    assert!(sizes.len() > 2 && sizes.iter().all(|width| *width == samples::WIDTH as u32 / 2), "{sizes:?}");
 }
 
 #[test]

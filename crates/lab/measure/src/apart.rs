@@ -5,7 +5,7 @@ use std::path::Path;
 use atrous_lab::pictures::{Column, Picture, PictureError, Strip, TextTable};
 use atrous_lab::scores::{rmse, Rgb};
 
-use crate::measure::rgb;
+use crate::measure::{every_pixel, rgb};
 use crate::Result;
 use atrous_engine::{FrameDenoiser, Gpu, PathTracer};
 
@@ -29,7 +29,7 @@ impl Apart {
     /// The noisy volume; `None` in a scene without a medium.
     pub(crate) fn volume(gpu: &Gpu, tracer: &PathTracer) -> Result<Option<Self>> {
         let Some(volume) = tracer.volume() else { return Ok(None) };
-        let noisy = rgb(gpu.read_image(&volume.noisy_volume)?);
+        let noisy = rgb(every_pixel(tracer, gpu.read_image(&volume.noisy_volume)?));
         Ok(Some(Self::new(tracer, "volume".to_owned(), "denoised_volume".to_owned(), noisy)))
     }
 
@@ -40,11 +40,11 @@ impl Apart {
             let output = if number == 0 { "denoised_visibility".to_owned() } else { format!("denoised_visibility_{number}") };
             let coloured = tracer.scene().has_glass();
             let texel = |[r, g, b, _]: [f32; 4]| if coloured { [r, g, b] } else { [r; 3] };
-            let noisy = gpu.read_image(&lamp.noisy_visibility)?.into_iter().map(texel).collect();
+            let noisy = every_pixel(tracer, gpu.read_image(&lamp.noisy_visibility)?).into_iter().map(texel).collect();
             all.push(Self::new(tracer, format!("visibility of lamp {number}"), output, noisy));
         }
         if let Some(ambient) = tracer.ambient() {
-            let noisy = grey(gpu.read_image(&ambient.noisy_ambient)?);
+            let noisy = grey(every_pixel(tracer, gpu.read_image(&ambient.noisy_ambient)?));
             all.push(Self::new(tracer, "ambient occlusion".to_owned(), "denoised_ambient".to_owned(), noisy));
         }
         Ok(all)

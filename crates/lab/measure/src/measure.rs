@@ -92,7 +92,8 @@ impl Frame {
         let (scattered, emission) = (every_pixel(tracer, gpu.read_image(&outputs.scattered)?), gpu.read_image(&outputs.emission)?);
         let mut noisy = scattered.iter().zip(&emission).map(|(s, e)| [s[0] + e[0], s[1] + e[1], s[2] + e[2]]).collect::<Vec<_>>();
         for lamp in tracer.lamps_apart() {
-            let (seen, light) = (gpu.read_image(&lamp.noisy_visibility)?, gpu.read_image(&lamp.unshadowed_direct)?);
+            let seen = every_pixel(tracer, gpu.read_image(&lamp.noisy_visibility)?);
+            let light = gpu.read_image(&lamp.unshadowed_direct)?;
             add(&mut noisy, &seen.iter().zip(&light).map(|(v, l)| [v[0] * l[0], v[1] * l[1], v[2] * l[2]]).collect::<Vec<_>>());
         }
         let (mut volume, mut shadows) = (Apart::volume(gpu, tracer)?, Apart::shadows(gpu, tracer)?);
@@ -208,7 +209,7 @@ impl Frame {
 }
 
 /// Light of fewer pixels, each shown in all pixels that it stands for.
-fn every_pixel(tracer: &PathTracer, light: Vec<[f32; 4]>) -> Vec<[f32; 4]> {
+pub(crate) fn every_pixel(tracer: &PathTracer, light: Vec<[f32; 4]>) -> Vec<[f32; 4]> {
     let (extent, from) = (tracer.extent(), tracer.light_extent());
     if from == extent {
         return light;

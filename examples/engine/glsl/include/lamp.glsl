@@ -21,8 +21,8 @@ struct LampSample {
     vec3 unshadowed;          // radiance towards the eye, as it reaches it
 };
 
-// The ray goes to a point of the disc; light is reflected as from its middle, which has no noise.
-LampSample sample_visible_lamp(Surface s, inout Rng rng) {
+// The ray goes to a point of the disc; light is reflected as from its middle, which has no noise. Not `traced`: there is no ray.
+LampSample sample_visible_lamp(Surface s, bool traced, inout Rng rng) {
     Light light = load_light(frame.counts.z + push.lamp);
     bool is_sun = (floatBitsToUint(light.position_kind.w) & 3u) == LIGHT_SUN;
     vec2 u = random2(rng);
@@ -40,6 +40,7 @@ LampSample sample_visible_lamp(Surface s, inout Rng rng) {
     vec3 arriving = middle.radiance * light.edge2_probability.w * medium_transmittance(middle.distance);
     vec3 reflected = evaluate_bsdf(s, view, middle.direction, density).all * arriving;
     reflected *= medium_transmittance(distance(frame.camera.eye.xyz, s.position));
+    if (!traced) return LampSample(vec3(1.0), 0.0, 0u, reflected);
     Shadow shadow = tinted_visibility(ray_origin(s), to.direction, min(to.distance * 0.9995, 3.0e37));
     return LampSample(shadow.tint, shadow.distance, shadow.surface_id, reflected);
 }

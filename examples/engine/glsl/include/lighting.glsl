@@ -18,9 +18,8 @@ layout(set = 1, binding = 9, rgba32f) uniform writeonly image2D specular_motion_
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    uvec2 extent = frame.extent_frame_seed.xy / frame.light.xy;
-    if (any(greaterThanEqual(pixel, ivec2(extent)))) return;
-    ivec2 seen_pixel = pixel * ivec2(frame.light.xy) + ivec2(frame.light.zw);
+    if (any(greaterThanEqual(pixel, light_extent()))) return;
+    ivec2 seen_pixel = seen_pixel_of(pixel);
     PixelSample pixel_sample = fetch_pixel_sample(pixel, seen_pixel);
     Rng rng = rng_of_pixel(pixel_sample.seed, 0u);
     PixelLighting lighting = light_pixel(seen_pixel, pixel_sample, frame.counts.w, rng);

@@ -124,6 +124,10 @@ Light load_light(uint index) {
     return Light(fetch_floats(lights, base), fetch_floats(lights, base + 1u), fetch_floats(lights, base + 2u), fetch_floats(lights, base + 3u));
 }
 
+// Pixels of light, and the pixel of the picture that one of them is traced for.
+ivec2 light_extent() { return ivec2(frame.extent_frame_seed.xy / frame.light.xy); }
+ivec2 seen_pixel_of(ivec2 lit) { return lit * ivec2(frame.light.xy) + ivec2(frame.light.zw); }
+
 // Of the medium over a distance; 1 without one.
 float medium_transmittance(float distance) { return frame.medium.x > 0.0 ? exp(-frame.medium.x * distance) : 1.0; }
 

@@ -1,4 +1,4 @@
-//! Ambient occlusion at one ray per pixel: beside the path, in images of its own.
+//! Ambient occlusion at one ray per pixel of light: beside the path, in images of its own.
 
 use ash::vk;
 
@@ -22,7 +22,7 @@ pub struct Ambient {
 
 impl Ambient {
     pub(super) fn new(gpu: &Gpu, scene_layout: &SetLayout, outputs: &Outputs) -> Result<Self> {
-        let extent = outputs.depth.extent;
+        let extent = outputs.scattered.extent;
         let noisy_ambient = Image::new(gpu, "noisy_ambient", vk::Format::R32_SFLOAT, extent)?;
         let ambient_distance = Image::new(gpu, "ambient_distance", vk::Format::R32_SFLOAT, extent)?;
         let layout = SetLayout::new(gpu, &storage_images(4))?;

@@ -1,4 +1,4 @@
-//! Lamps of a scene at one shadow ray per pixel each: beside the path, in images of their own.
+//! Lamps of a scene at one shadow ray per pixel of light each: beside the path, in images of their own.
 
 use ash::vk;
 
@@ -19,7 +19,7 @@ pub struct LampApart {
     pub occluder_distance: Image,
     /// `R32_UINT`: `surface_id` of that thing; 0: nothing is.
     pub occluder_id: Image,
-    /// `R32G32B32A32_SFLOAT`: radiance that it gives the surface where nothing is in the way. a: 1. Times the visibility it adds to the light of
+    /// `R32G32B32A32_SFLOAT`, of every pixel of the picture: radiance that it gives the surface where nothing is in the way. a: 1. Times the visibility it adds to the light of
     /// [`Outputs`], which has none of it.
     pub unshadowed_direct: Image,
     set: DescriptorSet,
@@ -57,10 +57,10 @@ impl LampsApart {
 
 impl LampApart {
     fn new(gpu: &Gpu, layout: &SetLayout, outputs: &Outputs) -> Result<Self> {
-        let image = |name, format| Image::new(gpu, name, format, outputs.depth.extent);
+        let image = |name, format| Image::new(gpu, name, format, outputs.scattered.extent);
         let noisy_visibility = image("noisy_visibility", vk::Format::R16G16B16A16_SFLOAT)?;
         let occluder_distance = image("occluder_distance", vk::Format::R32_SFLOAT)?;
-        let unshadowed_direct = image("unshadowed_direct", vk::Format::R32G32B32A32_SFLOAT)?;
+        let unshadowed_direct = Image::new(gpu, "unshadowed_direct", vk::Format::R32G32B32A32_SFLOAT, outputs.depth.extent)?;
         let occluder_id = image("occluder_id", vk::Format::R32_UINT)?;
         let images = [&outputs.visibility, &outputs.seed, &noisy_visibility, &occluder_distance, &unshadowed_direct, &occluder_id];
         let set = DescriptorSet::of_images(gpu, layout, &images.map(|image| image.view))?;

@@ -261,11 +261,11 @@ impl PathTracer {
         if let Some(ambient) = &self.ambient {
             general_barrier(self.gpu.device(), cmd, &[&ambient.noisy_ambient, &ambient.ambient_distance]);
             let reach = AMBIENT_REACH.to_ne_bytes();
-            ambient.pipeline.record(cmd, &[&self.scene_set, &ambient.set], &reach, self.extent);
+            ambient.pipeline.record(cmd, &[&self.scene_set, &ambient.set], &reach, self.light_extent());
         }
         if let Some(volume) = &self.volume {
             general_barrier(self.gpu.device(), cmd, &[&volume.noisy_volume, &volume.scattering_depth]);
-            volume.pipeline.record(cmd, &[&self.scene_set, &volume.set], &[], self.extent);
+            volume.pipeline.record(cmd, &[&self.scene_set, &volume.set], &[], self.light_extent());
         }
     }
 

@@ -1,4 +1,4 @@
-//! The medium of a scene at one sample per pixel: beside the surfaces, in images of its own.
+//! The medium of a scene at one sample per pixel of light: beside the surfaces, in images of its own.
 
 use ash::vk;
 
@@ -20,7 +20,7 @@ pub struct Volume {
 
 impl Volume {
     pub(super) fn new(gpu: &Gpu, scene_layout: &SetLayout, outputs: &Outputs) -> Result<Self> {
-        let extent = outputs.depth.extent;
+        let extent = outputs.scattered.extent;
         let noisy_volume = Image::new(gpu, "noisy_volume", vk::Format::R32G32B32A32_SFLOAT, extent)?;
         let scattering_depth = Image::new(gpu, "scattering_depth", vk::Format::R32_SFLOAT, extent)?;
         let layout = SetLayout::new(gpu, &storage_images(4))?;

@@ -33,9 +33,12 @@ impl World {
         let preset = [contents[1], contents[0]].into_iter().find_map(Content::preset);
         let Some(filter) = self.filters.iter_mut().find(|f| Some(f.preset) == preset) else { return Ok(probe) };
         probe.preset = preset;
+        // The view may have fewer pixels than the picture.
+        let (view, picture) = (filter.debug.extent, panes.extent());
+        let seen = [pixel[0] * view.width / picture.width, pixel[1] * view.height / picture.height];
         for view in filter.report().views.into_iter().filter(|view| PROBED.contains(view)) {
             filter.show(&self.gpu, view)?;
-            probe.numbers[view as usize] = Some(self.gpu.read_half_texel(&filter.debug, pixel)?[3]);
+            probe.numbers[view as usize] = Some(self.gpu.read_half_texel(&filter.debug, seen)?[3]);
         }
         Ok(probe)
     }

@@ -2,8 +2,11 @@
 
 use std::time::Duration;
 
+use ash::vk;
+
 use super::*;
 use crate::error_view::Wake;
+use atrous::DebugView;
 use atrous_engine::testing::Validated;
 
 const SMALL: vk::Extent2D = vk::Extent2D { width: 32, height: 18 };
@@ -13,12 +16,12 @@ fn settings(scene: &str) -> Settings {
 }
 
 fn world(gpu: &Gpu, settings: &Settings) -> World {
-    World::new(gpu, SMALL, settings).expect("a world")
+    World::new(gpu, Sizes::of(SMALL), settings).expect("a world")
 }
 
 /// Both panes as they are shown.
 fn shown(world: &mut World, gpu: &Gpu, contents: [Content; 2]) -> [Vec<[f32; 3]>; 2] {
-    let panes = Panes::new(gpu, SMALL).expect("panes");
+    let panes = Panes::new(gpu, world.sizes.shown()).expect("panes");
     let mut writer = PaneWriter::new(gpu, &panes).expect("a pipeline");
     world.fill(&mut writer, &panes, contents).expect("a submit");
     panes.images.each_ref().map(|image| rgb(&gpu.read_image(image).expect("pixels")))
@@ -61,7 +64,7 @@ fn the_reference_of_fog_is_that_without_a_window() {
     }
     let [reference, _] = shown(&mut world, &gpu, [Content::Reference, Content::Noisy]);
 
-    let options = TracerOptions::default();
+    let options = atrous_engine::TracerOptions::default();
     let mut tracer = PathTracer::new(&gpu, &world.scene, SMALL, options).expect("a path tracer");
     let wanted = tracer.render_reference(64, |_, _| ()).expect("a reference");
     assert_same(&reference, &wanted.radiance(), "reference");
@@ -86,6 +89,37 @@ fn noisy_and_filtered_pictures_have_their_medium() {
     let parts = [&filter.radiance, filter.medium.as_ref().expect("a medium")].map(|image| read(&gpu, image));
     assert_same(&filtered, &sum(&parts), "filtered");
     assert!(mean(&parts[1]) > 0.2 * mean(&filtered), "there is fog");
+}
+
+#[test]
+fn light_of_half_the_size_fills_a_picture_of_display_size() {
+    let Some(gpu) = Validated::new() else { return };
+    let output = vk::Extent2D { width: 48, height: 27 };
+    let sizes = Sizes { output: Some(output), half_light: true, ..Sizes::of(SMALL) };
+    let settings = with(Preset::Fast);
+    let mut world = World::new(&gpu, sizes, &settings).expect("a world");
+    for _ in 0..2 {
+        world.frame(&settings, None, true, false).expect("a frame");
+    }
+    let depth = Content::Debug(Preset::Fast, DebugView::Depth);
+    let [noisy, filtered] = shown(&mut world, &gpu, [Content::Noisy, Content::Filtered(Preset::Fast)]);
+    let filter = world.filters.first().expect("a filter");
+    assert_eq!(filtered, read(&gpu, &filter.display), "the output as it is");
+    assert!(filter.display.extent == output && mean(&filtered) > 0.01, "{}", mean(&filtered));
+    let outputs = world.tracer.outputs();
+    let [light, emission] = [&outputs.scattered, &outputs.emission].map(|image| read(&gpu, image));
+    let enlarged = |pixels: &[[f32; 3]], [w, h]: [usize; 2]| -> Vec<[f32; 3]> {
+        (0..27).flat_map(|y| (0..48).map(move |x| (x, y))).map(|(x, y)| pixels[y * h / 27 * w + x * w / 48]).collect()
+    };
+    assert_same(&noisy, &sum(&[enlarged(&light, [16, 9]), enlarged(&emission, [32, 18])]), "noisy");
+    let [depths, _] = shown(&mut world, &gpu, [depth, Content::Noisy]);
+    let view = read(&gpu, &world.filters[0].debug);
+    assert_eq!(depths, enlarged(&view, [16, 9]), "a view of the pixels that have light");
+    let panes = Panes::new(&gpu, output).expect("panes");
+    let probe = world.probe(&panes, [Content::Noisy, depth], [47, 13]).expect("a submit");
+    world.filters[0].show(&gpu, DebugView::Depth).expect("a submit");
+    let corner = gpu.read_half_texel(&world.filters[0].debug, [15, 4]).expect("a texel");
+    assert!(corner[3] > 0.0 && probe.numbers[DebugView::Depth as usize] == Some(corner[3]), "{probe:?}");
 }
 
 /// Frames of a history, mean over the pixels.
@@ -114,7 +148,8 @@ fn a_paused_picture_does_not_move_and_a_step_moves_by_its_motion() {
             assert!(motion.iter().all(|m| m[0] == 0.0 && m[1] == 0.0), "{preset:?}, taa {taa}");
         }
         world.frame(&settings, None, true, false).expect("a frame");
-        let mut tracer = PathTracer::new(&gpu, &world.scene, SMALL, tracer_options(&settings)).expect("a path tracer");
+        let mut tracer =
+            PathTracer::new(&gpu, &world.scene, SMALL, Sizes::of(SMALL).tracer_options(&settings)).expect("a path tracer");
         // The fourth moment after the third, with the jitter of the sixth frame.
         tracer.begin_moment(world.tracer.frame(), &world.scene.moment(4), &world.scene.moment(3)).expect("a frame");
         gpu.submit(|cmd| {
