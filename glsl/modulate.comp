@@ -29,7 +29,7 @@ layout(push_constant) uniform Push {
 #include "demodulation.glsl"
 #include "specular_albedo.glsl"
 
-layout(local_size_x = 32, local_size_y = 2) in;
+layout(local_size_x = 32, local_size_y = 4) in;
 
 const uint ALBEDO = 3u;
 const uint EMISSION = 4u;

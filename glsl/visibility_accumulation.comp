@@ -134,8 +134,9 @@ const float NEAR = 1.5;
 const vec2 CONFIDENCE_Z = vec2(1.0, 2.0);
 // The same of all directions, whose visibility is near 1 in most places: a narrow interval would pull it down.
 const float CONFIDENCE_Z_OF_AMBIENT = 3.0;
-// Frames up to which the deviation is at least that of the surroundings: a few samples may be equal by chance.
-const float SHORT_HISTORY = 8.0;
+// Frames up to which the deviation is at least that of the surroundings: a few samples may be equal by chance. No whole number, which rounding
+// would make a matter of the driver.
+const float SHORT_HISTORY = 7.5;
 // Variance of a look by the cubic, as a share of that by 2x2 pixels.
 const float CUBIC_BLUR = 0.2;
 // Variance by which motion may blur an edge: as a share of the squared radius of the penumbra, and of any edge in squared pixels.

@@ -94,7 +94,7 @@ fn a_shader_that_does_not_fit_is_refused_and_the_old_one_stays() {
             "set 0 binding 5 is `StorageImage2D<Rgba32f> WriteOnly`",
         ),
         ("modulate.comp", "EMISSION = 4u", "EMISSION = 10u", "set 0 binding 10 is new"),
-        ("modulate.comp", "local_size_y = 2", "local_size_y = 4", "LocalSize is `32 x 4 x 1`"),
+        ("modulate.comp", "local_size_y = 4", "local_size_y = 2", "LocalSize is `32 x 2 x 1`"),
         ("modulate.comp", "uint present;", "uint other; uint present;", "push constants byte 0 is `other: u32`"),
         ("include/optional.glsl", "constant_id = 0", "constant_id = 5", "specialization constant 5 is new"),
         ("include/frame.glsl", "uvec2 render_extent", "ivec2 render_extent", &moved),

@@ -757,7 +757,7 @@ pub(crate) static IMPORT_SURFACE_ID_1: Shader = Shader {
     ]),
 };
 pub(crate) static MODULATE_FLOAT_0: Shader = Shader {
-    stage: Cow::Borrowed("modulate"), name: Cow::Borrowed("modulate_float_0"), spirv: Cow::Borrowed(include_bytes!("modulate_float_0.spv")), workgroup: [32, 2, 1],
+    stage: Cow::Borrowed("modulate"), name: Cow::Borrowed("modulate_float_0"), spirv: Cow::Borrowed(include_bytes!("modulate_float_0.spv")), workgroup: [32, 4, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
@@ -782,7 +782,7 @@ pub(crate) static MODULATE_FLOAT_0: Shader = Shader {
     ]),
 };
 pub(crate) static MODULATE_FLOAT_1: Shader = Shader {
-    stage: Cow::Borrowed("modulate"), name: Cow::Borrowed("modulate_float_1"), spirv: Cow::Borrowed(include_bytes!("modulate_float_1.spv")), workgroup: [32, 2, 1],
+    stage: Cow::Borrowed("modulate"), name: Cow::Borrowed("modulate_float_1"), spirv: Cow::Borrowed(include_bytes!("modulate_float_1.spv")), workgroup: [32, 4, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
@@ -807,7 +807,7 @@ pub(crate) static MODULATE_FLOAT_1: Shader = Shader {
     ]),
 };
 pub(crate) static MODULATE_FLOAT_0_UPSAMPLED_1: Shader = Shader {
-    stage: Cow::Borrowed("modulate"), name: Cow::Borrowed("modulate_float_0_upsampled_1"), spirv: Cow::Borrowed(include_bytes!("modulate_float_0_upsampled_1.spv")), workgroup: [32, 2, 1],
+    stage: Cow::Borrowed("modulate"), name: Cow::Borrowed("modulate_float_0_upsampled_1"), spirv: Cow::Borrowed(include_bytes!("modulate_float_0_upsampled_1.spv")), workgroup: [32, 4, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
@@ -835,7 +835,7 @@ pub(crate) static MODULATE_FLOAT_0_UPSAMPLED_1: Shader = Shader {
     ]),
 };
 pub(crate) static MODULATE_FLOAT_1_UPSAMPLED_1: Shader = Shader {
-    stage: Cow::Borrowed("modulate"), name: Cow::Borrowed("modulate_float_1_upsampled_1"), spirv: Cow::Borrowed(include_bytes!("modulate_float_1_upsampled_1.spv")), workgroup: [32, 2, 1],
+    stage: Cow::Borrowed("modulate"), name: Cow::Borrowed("modulate_float_1_upsampled_1"), spirv: Cow::Borrowed(include_bytes!("modulate_float_1_upsampled_1.spv")), workgroup: [32, 4, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },

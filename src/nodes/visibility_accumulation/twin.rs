@@ -37,8 +37,8 @@ const NEAR: f32 = 1.5;
 const CONFIDENCE_Z: [f32; 2] = [1.0, 2.0];
 /// The same of the visibility of all directions.
 const CONFIDENCE_Z_OF_AMBIENT: f32 = 3.0;
-/// Frames up to which the deviation is at least that of the surroundings.
-const SHORT_HISTORY: f32 = 8.0;
+/// Frames up to which the deviation is at least that of the surroundings. No whole number, which rounding would make a matter of the driver.
+const SHORT_HISTORY: f32 = 7.5;
 /// Variance of a look by the cubic, as a share of that by 2×2 pixels.
 const CUBIC_BLUR: f32 = 0.2;
 /// Variance by which motion may blur an edge, as a share of the squared radius of the penumbra.
