@@ -258,16 +258,16 @@ void search_tap(inout Search found, const int light, Centre centre, float own_re
 void search(inout Search found[MOST_LIGHTS], Centre centre, ivec2 p, Sample own[MOST_LIGHTS]) {
     float reaches[MOST_LIGHTS];
     EACH_LIGHT(reaches[light] = own_reach(light, centre, own[light]))
-    [[dont_unroll]] for (int i = 0; i < 50; ++i) {
-        int place = i % 25, stride = i < 25 ? 1 : 3;
-        ivec2 offset = ivec2(place % 5 - 2, place / 5 - 2) * stride;
-        if (i == 37) continue;
-        WORDS words, colours;
-        float weight = tap_weight(centre, p, offset, words, colours), squared = squared_distance(centre.size, centre.edges.gradient,
-            vec2(offset));
-        EACH_LIGHT(search_tap(found[light], light, centre, reaches[light], sample_of(word_of(words, light), word_of(colours, light)),
-            weight, squared, p + offset))
-    }
+    [[dont_unroll]] for (int row = 0; row < 10; ++row)
+        IN_A_ROW for (int x = -2; x <= 2; ++x) {
+            ivec2 offset = ivec2(x, row % 5 - 2) * (row < 5 ? 1 : 3);
+            if (x == 0 && row == 7) continue;
+            WORDS words, colours;
+            float weight = tap_weight(centre, p, offset, words, colours), squared = squared_distance(centre.size, centre.edges.gradient,
+                vec2(offset));
+            EACH_LIGHT(search_tap(found[light], light, centre, reaches[light], sample_of(word_of(words, light), word_of(colours, light)),
+                weight, squared, p + offset))
+        }
 }
 
 void window_tap(inout Window sum, Sample taken, float weight, float reached) {
@@ -277,14 +277,15 @@ void window_tap(inout Window sum, Sample taken, float weight, float reached) {
 }
 
 void window(inout Window sum[MOST_LIGHTS], Centre centre, ivec2 p, float radius[MOST_LIGHTS]) {
-    [[dont_unroll]] for (int i = 0; i < 25; ++i) {
-        ivec2 offset = ivec2(i % 5 - 2, i / 5 - 2);
-        WORDS words, colours;
-        float weight = tap_weight(centre, p, offset, words, colours), squared = squared_distance(centre.size, centre.edges.gradient,
-            vec2(offset));
-        EACH_LIGHT(window_tap(sum[light], sample_of(word_of(words, light), word_of(colours, light)), weight, reach(squared,
-            radius[light] + NEAR * centre.longer)))
-    }
+    [[dont_unroll]] for (int y = -2; y <= 2; ++y)
+        IN_A_ROW for (int x = -2; x <= 2; ++x) {
+            ivec2 offset = ivec2(x, y);
+            WORDS words, colours;
+            float weight = tap_weight(centre, p, offset, words, colours), squared = squared_distance(centre.size, centre.edges.gradient,
+                vec2(offset));
+            EACH_LIGHT(window_tap(sum[light], sample_of(word_of(words, light), word_of(colours, light)), weight, reach(squared,
+                radius[light] + NEAR * centre.longer)))
+        }
 }
 
 // What the mean may be, by the samples of this frame. All of one kind, as far as a penumbra reaches: nothing else.

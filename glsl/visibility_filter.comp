@@ -184,12 +184,14 @@ void slope_tap(inout vec2 slope, Estimate centre, Estimate other, float weight, 
 void towards_lights(inout Kernel kernels[MOST_LIGHTS], EdgeCentre centre, ivec2 p, Estimate own[MOST_LIGHTS]) {
     vec2 slopes[MOST_LIGHTS];
     EACH_LIGHT(slopes[light] = vec2(0.0))
-    [[dont_unroll]] for (int i = 0; i < 25; ++i) {
-        ivec2 offset = ivec2(i % 5 - 2, i / 5 - 2), tap = nearest_inside(p + (offset << push.level));
-        float weight = exp2(geometry_at(centre, p, offset << push.level));
-        WORDS words = words_at(tap), colours = colour_words_at(tap);
-        EACH_LIGHT(slope_tap(slopes[light], own[light], estimate_of(word_of(words, light), word_of(colours, light)), weight, vec2(offset)))
-    }
+    [[dont_unroll]] for (int y = -2; y <= 2; ++y)
+        IN_A_ROW for (int x = -2; x <= 2; ++x) {
+            ivec2 offset = ivec2(x, y), tap = nearest_inside(p + (offset << push.level));
+            float weight = exp2(geometry_at(centre, p, offset << push.level));
+            WORDS words = words_at(tap), colours = colour_words_at(tap);
+            EACH_LIGHT(slope_tap(slopes[light], own[light], estimate_of(word_of(words, light), word_of(colours, light)), weight,
+                vec2(offset)))
+        }
     EACH_LIGHT(kernels[light].light = dot(slopes[light], slopes[light]) > 1e-6 ? slopes[light] * inversesqrt(dot(slopes[light],
         slopes[light])) : vec2(0.0))
 }
@@ -213,13 +215,14 @@ void filter_tap(inout Sum sum, Kernel kernel, Estimate own, Estimate other, Edge
 void filter_lights(inout Estimate found[MOST_LIGHTS], Kernel kernels[MOST_LIGHTS], EdgeCentre centre, ivec2 p, vec2 size) {
     Sum sums[MOST_LIGHTS];
     EACH_LIGHT(sums[light] = Sum(found[light].visibility, found[light].deviation * found[light].deviation, 1.0))
-    [[dont_unroll]] for (int i = 0; i < 25; ++i) {
-        ivec2 offset = ivec2(i % 5 - 2, i / 5 - 2) << push.level, tap = nearest_inside(p + offset);
-        WORDS words = words_at(tap), colours = colour_words_at(tap);
-        float squared = squared_distance(size, centre.gradient, vec2(offset)), geometry = geometry_at(centre, p, offset);
-        EACH_LIGHT(filter_tap(sums[light], kernels[light], found[light], estimate_of(word_of(words, light), word_of(colours, light)),
-            centre, size, vec2(offset), squared, geometry))
-    }
+    [[dont_unroll]] for (int y = -2; y <= 2; ++y)
+        IN_A_ROW for (int x = -2; x <= 2; ++x) {
+            ivec2 offset = ivec2(x, y) << push.level, tap = nearest_inside(p + offset);
+            WORDS words = words_at(tap), colours = colour_words_at(tap);
+            float squared = squared_distance(size, centre.gradient, vec2(offset)), geometry = geometry_at(centre, p, offset);
+            EACH_LIGHT(filter_tap(sums[light], kernels[light], found[light], estimate_of(word_of(words, light), word_of(colours, light)),
+                centre, size, vec2(offset), squared, geometry))
+        }
     EACH_LIGHT(if (kernels[light].filters) found[light] = Estimate(sums[light].visibility / sums[light].weights,
         sqrt(sums[light].squares) / sums[light].weights))
 }

@@ -33,6 +33,13 @@ layout(constant_id = 2) const uint LIGHTS = 4u;
 #define EACH_LIGHT(statement) { const int light = 0; statement; }
 #endif
 
+// Before the loop over a row of taps: texels of a row are on their way at once. Of several lights it would be too much code.
+#if MANY
+#define IN_A_ROW [[dont_unroll]]
+#else
+#define IN_A_ROW [[unroll]]
+#endif
+
 #if COLOUR
 #define VISIBLE vec3
 float largest(vec3 v) { return max(v.x, max(v.y, v.z)); }
