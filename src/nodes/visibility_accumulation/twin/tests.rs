@@ -99,6 +99,17 @@ fn a_shadow_that_left_leaves_nothing_behind() {
 }
 
 #[test]
+fn no_penumbra_is_known_where_blocks_around_hold_samples_of_one_kind() {
+    // A shadow from x = 4 on: in the first column of blocks it has an edge, and from x = 14 on that is out of reach.
+    let mut sequence = Sequence::new();
+    let found = sequence.frame(&samples(|x, _| if x < 4 { (1.0, 0.0) } else { (0.0, 2.0) }));
+    for x in 4..24 {
+        let h = found.at(IVec2::new(x, 8));
+        assert_eq!((h.mean[0], h.occluder_distance > 0.0), (0.0, x < 14), "{x}: {h:?}");
+    }
+}
+
+#[test]
 fn motion_does_not_blur_what_is_sharp_and_blurs_what_is_soft_a_little() {
     // A third of a pixel a frame, with the shadow.
     let weight = |radius: f32| {
