@@ -219,10 +219,11 @@ const int SEARCH_REACH = 6;
 bool is_uniform(Sample own, uint bits) { return !AMBIENT && exists(own) && bits != BLOCK_BITS; }
 
 // Kinds of samples in the blocks around a pixel, of each light: of nine pixels so far apart, each block within reach holds one.
-void look_around(inout WORDS bits, ivec2 p) {
+WORDS kinds_around(ivec2 p) {
+    WORDS bits = WORDS(0u);
     [[dont_unroll]] for (int i = 0; i < 9; ++i)
         bits |= sample_words(nearest_inside(p + SEARCH_REACH * ivec2(i % 3 - 1, i / 3 - 1)));
-    bits &= WORDS(BLOCK_BITS);
+    return bits & WORDS(BLOCK_BITS);
 }
 
 // Weight by geometry of a tap; 0 where there is none.
@@ -469,10 +470,11 @@ void put(inout WORDS words, inout WORDS colours, const int light, VisibilityHist
     word_of(colours, light) = pack_mean_colours(h.mean);
 }
 
-// Of samples of one kind no penumbra is known, and what is nowhere an edge is blurred by no motion.
-void settle(inout Search found, inout Gathered past, inout Window around, bool uniform_light, Sample own) {
-    if (!uniform_light) return;
-    found = Search(1.0 - own.visibility, own.visibility, 0.0, 0.0, 0.0, ivec2(0));
+// What is around a pixel beside which all samples are alike: no penumbra is known.
+Search search_of_one_kind(Sample own) { return Search(1.0 - own.visibility, own.visibility, 0.0, 0.0, 0.0, ivec2(0)); }
+
+// The same of the rest; what is nowhere an edge is blurred by no motion.
+void settle(inout Gathered past, inout Window around, Sample own) {
     around = Window(1.0, own.visibility);
     past.mean = past.plain_mean;
     past.blur = 0.0;
@@ -524,21 +526,21 @@ void main() {
     float radius[MOST_LIGHTS];
     bool uniform_light[MOST_LIGHTS], searches = false;
     EACH_LIGHT(own[light] = sample_of(word_of(words, light), word_of(colours, light)))
-    look_around(words, p);
-    EACH_LIGHT(uniform_light[light] = is_uniform(own[light], word_of(words, light)); searches = searches || !uniform_light[light])
+    WORDS kinds = kinds_around(p);
+    EACH_LIGHT(uniform_light[light] = is_uniform(own[light], word_of(kinds, light)); searches = searches || !uniform_light[light])
     EACH_LIGHT(found[light] = Search(VISIBLE(0.0), VISIBLE(0.0), 0.0, 0.0, 0.0, p))
     if (searches) search(found, centre, p, own);
     EACH_LIGHT(found[light].occluder_distance = found[light].known > 0.0 ? found[light].occluder_distance / found[light].known : 0.0)
     EACH_LIGHT(past[light] = NO_PAST)
     EACH_LIGHT(around[light] = Window(0.0, VISIBLE(0.0)))
-    EACH_LIGHT(settle(found[light], past[light], around[light], uniform_light[light], own[light]))
+    EACH_LIGHT(if (uniform_light[light]) found[light] = search_of_one_kind(own[light]))
     if (!has_flag(FLAG_RESET)) {
         gather_pasts(past, p, packed, gradient, found, centre, searches);
         EACH_LIGHT(count_bad_occluder(light, p, own[light]))
     }
     EACH_LIGHT(radius[light] = radius_of(light) * distance_of(found[light], past[light]))
     if (searches) window(around, centre, p, radius);
-    EACH_LIGHT(settle(found[light], past[light], around[light], uniform_light[light], own[light]))
+    EACH_LIGHT(if (uniform_light[light]) settle(past[light], around[light], own[light]))
     words = WORDS(0u);
     colours = WORDS(0u);
     EACH_LIGHT(finish(words, colours, light, centre, own[light], found[light], past[light], around[light]))

@@ -97,13 +97,6 @@ pub(crate) fn halves(word: u32) -> [f32; 2] {
     [from_half_bits(word as u16), from_half_bits((word >> 16) as u16)]
 }
 
-/// The words of the samples of one light.
-pub(crate) fn samples_of(b: &Bindings, light: usize) -> Result<Image<Words>, Error> {
-    let (words, colours) = (words_of(b, "visibility_samples", light)?, some_words_of(b, "sample_colours", light)?);
-    let extent = words.extent();
-    Ok(Image::compute(extent, extent, |p| [words.at(p), colours.as_ref().map_or(0, |colours| colours.at(p))]))
-}
-
 /// Two halves of every pixel of one light, and in colour two more.
 pub(crate) fn halves_of(b: &Bindings, names: [&str; 2], light: usize) -> Result<Image<(Visible, f32)>, Error> {
     let (words, colours) = (words_of(b, names[0], light)?, some_words_of(b, names[1], light)?);

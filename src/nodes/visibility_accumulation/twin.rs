@@ -13,8 +13,8 @@ use crate::reference::shadow_motion::{Occluders, Receiver};
 use crate::reference::statistics::count;
 use crate::reference::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
 use crate::reference::visibility::{
-    each, halves, histories_of, largest, lights_of, of_light, pack_visibility, samples_of, write_words, Ruler, VisibilityHistory,
-    Visible, Words, BLOCK_HAS_LIT, BLOCK_HAS_OCCLUDED, LONGEST_HISTORY,
+    each, halves_of, histories_of, largest, lights_of, of_light, pack_visibility, write_words, Ruler, VisibilityHistory, Visible,
+    LONGEST_HISTORY,
 };
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Counter, Error, FrameConstants, Statistics, Tuning};
@@ -29,8 +29,6 @@ const NOTHING: f32 = 1e-3;
 const CLEARLY: f32 = 1.001;
 /// Pixels that the search reaches to each side.
 const SEARCH_REACH: i32 = 6;
-/// Samples that see the light, and samples that do not.
-const BLOCK_BITS: u32 = BLOCK_HAS_LIT | BLOCK_HAS_OCCLUDED;
 /// Pixels that always count as near.
 const NEAR: f32 = 1.5;
 /// Standard deviations of the interval that the history is clamped to, by the radius of the penumbra in pixels.
@@ -57,10 +55,8 @@ pub(crate) struct VisibilityAccumulationInputs<'a> {
     pub surface_motion: &'a Image<[u16; 4]>,
     /// The image `depth_gradient`, from the stage `import`.
     pub depth_gradient: &'a Image<u32>,
-    /// Words of the samples of a light, from the stage `visibility_samples`.
-    pub samples: &'a Image<Words>,
-    /// Whether they have green and blue.
-    pub coloured: bool,
+    /// Samples of a light, from the stage `visibility_samples`: visibility and distance of the occluder, whose signs tell what the block has.
+    pub samples: &'a Image<(Visible, f32)>,
     /// By what occluders move.
     pub occluders: Occluders<'a>,
     /// Whether the visibility is that of all directions, and of no light.
@@ -74,16 +70,15 @@ pub(crate) struct VisibilityAccumulationInputs<'a> {
 struct Sample {
     visibility: Option<Visible>,
     distance: f32,
-    /// What its block of 8×8 pixels holds.
-    block: u32,
+    /// Whether its block of 8×8 pixels has lit samples, and occluded ones.
+    block: [bool; 2],
 }
 
 impl Sample {
-    fn unpacked([word, colours]: Words, coloured: bool) -> Self {
-        let block = word & BLOCK_BITS;
-        let [red, distance] = halves(word & !BLOCK_BITS);
-        let [green, blue] = if coloured { halves(colours) } else { [red; 2] };
-        Self { visibility: (red <= 1.0).then_some([red, green, blue]), distance, block }
+    fn new(&(visibility, distance): &(Visible, f32)) -> Self {
+        let block = [visibility[0], distance].map(f32::is_sign_negative);
+        let visibility = visibility.map(f32::abs);
+        Self { visibility: (visibility[0] <= 1.0).then_some(visibility), distance: distance.abs(), block }
     }
 }
 
@@ -124,7 +119,7 @@ pub(crate) fn visibility_accumulation(
 ) -> (Image<VisibilityHistory>, Statistics) {
     let geometry = Geometry::new(frame, tuning, inputs.guide, inputs.depth_gradient);
     let light_radius = tuning.light_radii()[inputs.occluders.light];
-    let samples = inputs.samples.map(|words| Sample::unpacked(*words, inputs.coloured));
+    let samples = inputs.samples.map(Sample::new);
     let previous = inputs.previous.filter(|_| !is_reset(frame));
     let before =
         previous.map(|(guide, _)| Image::compute(guide.extent(), frame.previous_render_extent, |p| unpack_guide(guide.at(p))));
@@ -202,8 +197,8 @@ impl Surroundings<'_> {
     /// The visibility of all samples that the search may reach, where the blocks of nine pixels say that they are alike.
     fn uniform(&self) -> Option<Visible> {
         let block = |i: i32| self.samples.at(self.rect.clamp(self.p + SEARCH_REACH * IVec2::new(i % 3 - 1, i / 3 - 1))).block;
-        let bits = (0..9).fold(0, |bits, i| bits | block(i));
-        self.samples.at(self.p).visibility.filter(|_| !self.ambient && bits != BLOCK_BITS)
+        let is_mixed = (0..2).all(|kind| (0..9).any(|i| block(i)[kind]));
+        self.samples.at(self.p).visibility.filter(|_| !self.ambient && !is_mixed)
     }
 
     /// Samples of 5×5 pixels, `step` apart, that lie on the surface.
@@ -342,8 +337,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
             guide: b.packed("guide")?,
             surface_motion: b.packed("surface_motion")?,
             depth_gradient: b.uint("depth_gradient")?,
-            samples: &samples_of(b, light)?,
-            coloured: b.has("sample_colours"),
+            samples: &halves_of(b, ["visibility_samples", "sample_colours"], light)?,
             occluders: Occluders {
                 distance: Some(b.colour(&of_light("occluder_distance", light))?),
                 id: b.optional_uint(&of_light("occluder_id", light))?,

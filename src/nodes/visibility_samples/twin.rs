@@ -2,6 +2,7 @@
 
 use crate::reference::binary16::LARGEST_HALF;
 use crate::reference::bindings::Bindings;
+use crate::reference::blocks::{block_of, Blocks};
 use crate::reference::compare::{Reading, Rule, Unit};
 use crate::reference::guide::unpack_guide;
 use crate::reference::rules::{rule, HALF, STATISTICS};
@@ -12,10 +13,6 @@ use crate::reference::visibility::{
 use crate::reference::Image;
 use crate::{Counter, Statistics};
 use crate::{Error, FrameConstants};
-use glam::IVec2;
-
-/// Side of the blocks of pixels that know which kinds of samples they hold.
-const BLOCK: i32 = 8;
 
 /// The bits that a sample of a surface sets in its block.
 fn kinds_of(visibility: Visible) -> u32 {
@@ -27,13 +24,9 @@ fn kinds_of(visibility: Visible) -> u32 {
 
 /// Adds to words of samples what the blocks around them hold. `kinds`: of each pixel alone, see [`kinds_of`].
 fn with_blocks(words: &Image<Words>, kinds: &Image<u32>, render_extent: [u32; 2]) -> Image<Words> {
-    let [width, height] = render_extent.map(|side| side as i32);
     Image::compute(words.extent(), render_extent, |p| {
-        let corner = p / BLOCK * BLOCK;
-        let end = (corner + BLOCK).min(IVec2::new(width, height));
-        let pixels = (corner.y..end.y).flat_map(|y| (corner.x..end.x).map(move |x| IVec2::new(x, y)));
         let [word, colours] = words.at(p);
-        [word | pixels.fold(0, |bits, q| bits | kinds.at(q)), colours]
+        [Blocks::pixels(block_of(p), render_extent).fold(word, |bits, q| bits | kinds.at(q)), colours]
     })
 }
 
@@ -89,6 +82,7 @@ mod tests {
     use super::*;
     use crate::reference::binary16::from_half_bits;
     use crate::reference::test_scene::*;
+    use glam::IVec2;
 
     #[test]
     fn what_is_no_visibility_is_counted_and_stops() {

@@ -3,17 +3,20 @@
 use super::*;
 use crate::nodes::visibility_samples::twin::visibility_samples;
 use crate::reference::test_scene::*;
-use crate::reference::visibility::unpack_visibility;
+use crate::reference::visibility::{halves, unpack_visibility};
 use crate::reference::{pack_depth_gradient, pack_surface_motion, InstanceTransform};
 use crate::FrameParams;
 
 const EXTENT: [u32; 2] = [24, 24];
 
 /// Samples `(visibility, distance)` of a plane at depth 1, whose pixels are 2/24 scene units long.
-fn samples(of: impl Fn(i32, i32) -> (f32, f32)) -> Image<Words> {
+fn samples(of: impl Fn(i32, i32) -> (f32, f32)) -> Image<(Visible, f32)> {
     let g = guides(EXTENT, |_, _| surface(1.0));
     let [visibility, distance] = [0, 1].map(|i| paint(EXTENT, |x, y| [<[f32; 2]>::from(of(x, y))[i]; 4]));
-    visibility_samples(&frame(EXTENT), &g.guide, &visibility, &distance, false).0
+    visibility_samples(&frame(EXTENT), &g.guide, &visibility, &distance, false).0.map(|[word, _]| {
+        let [visibility, distance] = halves(*word);
+        ([visibility; 3], distance)
+    })
 }
 
 struct Sequence {
@@ -32,9 +35,9 @@ impl Sequence {
         Self { guides: guides(EXTENT, |_, _| surface(1.0)), frame: frame(EXTENT), transform: None, history: None, tuning }
     }
 
-    fn frame(&mut self, samples: &Image<Words>) -> Image<VisibilityHistory> {
+    fn frame(&mut self, samples: &Image<(Visible, f32)>) -> Image<VisibilityHistory> {
         let g = &self.guides;
-        let distance = samples.map(|[word, _]| [halves(word & !BLOCK_BITS)[1]; 4]);
+        let distance = samples.map(|(_, distance)| [distance.abs(); 4]);
         let (id, transforms) = (Image::new(EXTENT, 1), self.transform.map(|transform| [transform; 2]));
         let transforms = transforms.as_ref().map(<[_; 2]>::as_slice);
         let inputs = VisibilityAccumulationInputs {
@@ -42,7 +45,6 @@ impl Sequence {
             surface_motion: &g.surface_motion,
             depth_gradient: &g.depth_gradient,
             samples,
-            coloured: false,
             occluders: Occluders { distance: Some(&distance), id: Some(&id), transforms, ..Default::default() },
             ambient: false,
             previous: self.history.as_ref().map(|history| (&g.guide, history)),
@@ -56,7 +58,7 @@ impl Sequence {
 }
 
 /// An edge at x: lit to the right, with a penumbra of `radius` pixels to either side.
-fn edge(at: f32, radius: f32, seed: u32) -> Image<Words> {
+fn edge(at: f32, radius: f32, seed: u32) -> Image<(Visible, f32)> {
     let random = noise(EXTENT, seed);
     samples(move |x, y| {
         let seen = 0.5 + 0.5 * (x as f32 + 0.5 - at) / radius;
@@ -164,7 +166,6 @@ fn occluders_without_a_motion_that_can_be_used_are_counted() {
             surface_motion: &g.surface_motion,
             depth_gradient: &g.depth_gradient,
             samples: &shadow,
-            coloured: false,
             occluders,
             ambient: false,
             previous: Some((&g.guide, &history)),
@@ -204,7 +205,6 @@ fn a_reset_frame_and_the_background_have_no_past() {
         surface_motion: &g.surface_motion,
         depth_gradient: &Image::new(EXTENT, pack_depth_gradient([0.0; 2])),
         samples: &lit,
-        coloured: false,
         occluders: Occluders::default(),
         previous: Some((&sequence.guides.guide, sequence.history.as_ref().expect("a frame"))),
     };
