@@ -12,14 +12,16 @@ layout(set = 0, binding = 3) uniform texture2D c;
 layout(set = 0, binding = 4) uniform texture2D d;
 layout(push_constant) uniform Weights { vec4 weights; };
 
+vec4 enlarged(texture2D image, ivec2 p, ivec2 extent) { return texelFetch(image, p * textureSize(image, 0) / extent, 0); }
+
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     ivec2 extent = imageSize(pane);
     if (any(greaterThanEqual(p, extent))) return;
-    vec4 first = texelFetch(a, p * textureSize(a, 0) / extent, 0);
+    vec4 first = enlarged(a, p, extent);
     vec3 sum = weights.x * first.rgb;
-    if (weights.y != 0.0) sum += weights.y * texelFetch(b, p * textureSize(b, 0) / extent, 0).rgb;
-    if (weights.z != 0.0) sum += weights.z * texelFetch(c, p * textureSize(c, 0) / extent, 0).rgb;
-    if (weights.w != 0.0) sum += weights.w * texelFetch(d, p * textureSize(d, 0) / extent, 0).rgb;
+    if (weights.y != 0.0) sum += weights.y * enlarged(b, p, extent).rgb;
+    if (weights.z != 0.0) sum += weights.z * enlarged(c, p, extent).rgb;
+    if (weights.w != 0.0) sum += weights.w * enlarged(d, p, extent).rgb;
     imageStore(pane, p, vec4(min(sum, 65504.0), first.a));
 }
