@@ -146,12 +146,28 @@ const float UNKNOWN_REACH = 1e4;
 // The same of the nearest thing that a surface may show.
 const float NEAREST_REACH = 0.125;
 
+// Where nobody knows the distance: how likely it is at first that a surface shows an image, and how much of the odds, as logarithms, is kept.
+const float CHANCE_AT_FIRST = 0.076;
+const float ODDS_KEPT = 0.8;
+// The most that one frame tells, and that all of them tell, as logarithms of odds.
+const float LARGEST_EVIDENCE = 8.0;
+const float LARGEST_ODDS = 4.8;
+// An image that is less likely is not looked up.
+const float UNLIKELY = 0.1;
+// Pixels to each side, and the fewest that tell which past is seen.
+const int EVIDENCE_REACH = 3;
+const int EVIDENCE_SIDE = 2 * EVIDENCE_REACH + 1;
+const float FEWEST_TELLING = 6.0;
+// Variance of a past of one frame beside that of a sample, both as logarithms.
+const float PAST_NOISE = 0.35;
+
 // What the past holds at one position.
 struct Past {
     bool found;
     float frames;
     float nearness;  // mean of hit distance / (depth + hit distance)
     float roughness;
+    float image_share;  // as unpack_image_share
     History light;
 };
 
@@ -192,7 +208,7 @@ bool is_same_surface(Centre c, ivec2 tap) {
     return surface_refusal(packed, there, slack) == REASON_NONE && normal_refusal(guide_normal(packed), there) == REASON_NONE;
 }
 
-Past nothing() { return Past(false, 0.0, 0.0, 0.0, History(vec3(0.0), 0.0, 0.0)); }
+Past nothing() { return Past(false, 0.0, 0.0, 0.0, 0.0, History(vec3(0.0), 0.0, 0.0)); }
 
 // The tested 2x2 taps around a position, as a mean.
 Past past_at(Centre c, vec2 position) {
@@ -204,17 +220,20 @@ Past past_at(Centre c, vec2 position) {
         float weight = tent.x * tent.y;
         if (!(weight > 0.0) || !is_same_surface(c, tap)) continue;
         LuminanceHistory m = unpack_luminance_history(texelFetch(previous_luminance_history, tap, 0));
-        Reflection r = unpack_reflection(texelFetch(previous_reflection, tap, 0).x);
+        uint packed = texelFetch(previous_reflection, tap, 0).x;
+        Reflection r = unpack_reflection(packed);
+        float image_share = unpack_image_share(packed);
         weights += weight;
         sum.frames += weight * m.history_length;
         sum.nearness += weight * nearness_of(c.depth, r.hit_distance);
         sum.roughness += weight * r.roughness;
+        sum.image_share += weight * (image_share == NO_PAST ? CHANCE_AT_FIRST : image_share);
         add_history(sum.light, texelFetch(history, tap, 0).rgb, m, c.origin, weight);
     }
     if (weights < SMALLEST_WEIGHT_SUM) return nothing();
     float scale = 1.0 / weights;
     History light = History(sum.light.irradiance * scale, sum.light.mean * scale, sum.light.second_moment * scale);
-    return Past(true, sum.frames * scale, sum.nearness * scale, sum.roughness * scale, light);
+    return Past(true, sum.frames * scale, sum.nearness * scale, sum.roughness * scale, sum.image_share * scale, light);
 }
 
 // Irradiance by the cubic; false where one of 4x4 taps that count is another surface, or the position lies on a pixel.
@@ -325,10 +344,72 @@ float frames_by_light(Centre c, vec2 position, Past past, float agrees, bool by_
     return min(past.frames * agreement, frames_by_logs(logs, squared / max(squared + light.second_moment, 1e-20)));
 }
 
+float log_odds(float chance) { return log(chance / (1.0 - chance)); }
+
+float luminance_then(ivec2 q) { return luminance(half_range(texelFetch(history, nearest_inside_previous(q), 0).rgb * frame.exposure_ratio)); }
+
+// Luminance of the past between pixels, to the right of `first`, which lies on a row.
+void luminance_row(float first, int y, out float row[EVIDENCE_SIDE]) {
+    float left = luminance_then(ivec2(floor(first), y)), f = fract(first);
+    [[unroll]] for (int x = 0; x < EVIDENCE_SIDE; ++x) {
+        float right = luminance_then(ivec2(floor(first) + x + 1, y));
+        row[x] = mix(left, right, f);
+        left = right;
+    }
+}
+
+// By how much the light of now makes it likelier that the image is seen, not the surface, as logarithm of the odds. Both pasts are compared with it
+// over 7x7 pixels, as logarithms, by the differences about their mean: logarithms of samples lie below those of what they are samples of.
+float evidence_for_image(Centre c, vec2 image_position, Past surface) {
+    vec2 position = c.mirror.surface_position;
+    vec2 f = fract(vec2(position.y, image_position.y));
+    float dark = DARK * luminance(in_light(surface.light, c.origin, vec3(1.0), frame.exposure_ratio).irradiance) + 1e-6;
+    // Of the surface and of the image.
+    float above[2][EVIDENCE_SIDE], below[2][EVIDENCE_SIDE];
+    vec2 sum = vec2(0.0), squares = vec2(0.0);
+    float count = 0.0, apart = 0.0;
+    [[dont_unroll]] for (int y = -EVIDENCE_REACH; y <= EVIDENCE_REACH + 1; ++y) {
+        luminance_row(position.x - EVIDENCE_REACH, int(floor(position.y)) + y, below[0]);
+        luminance_row(image_position.x - EVIDENCE_REACH, int(floor(image_position.y)) + y, below[1]);
+        [[unroll]] for (int x = 0; x < EVIDENCE_SIDE; ++x) {
+            ivec2 q = c.mirror.p + ivec2(x - EVIDENCE_REACH, y - 1), tap = nearest_inside(q);
+            vec4 value = texelFetch(noisy, tap, 0);
+            GuideBits packed = GuideBits(packed_at(guide, tap));
+            // Of the first row, there is nothing above.
+            bool tells = y > -EVIDENCE_REACH && q == tap && value.a >= 0.0 && guide_depth(packed) != 0.0 && guide_id(packed) == guide_id(c.mirror.packed);
+            vec2 then = mix(vec2(above[0][x], above[1][x]), vec2(below[0][x], below[1][x]), f);
+            vec2 difference = tells ? log2(luminance(value.rgb) + dark) - log2(then + dark) : vec2(0.0);
+            sum += difference;
+            squares += difference * difference;
+            apart += (difference.x - difference.y) * (difference.x - difference.y);
+            count += float(tells);
+            above[0][x] = below[0][x];
+            above[1][x] = below[1][x];
+        }
+    }
+    if (count < FEWEST_TELLING) return 0.0;
+    squares -= sum * sum / count;
+    apart -= (sum.x - sum.y) * (sum.x - sum.y) / count;
+    float noise = min(squares.x, squares.y) / count + LOG_ROUNDED;
+    // Pasts also differ by their own noise, which tells nothing.
+    float of_noise = 2.0 * PAST_NOISE * noise * count / max(surface.frames, 1.0);
+    float share = clamp(1.0 - of_noise / max(apart, 1e-6), 0.0, 1.0);
+    return clamp(share * (squares.x - squares.y) / (2.0 * noise), -LARGEST_EVIDENCE, LARGEST_EVIDENCE);
+}
+
+// How likely it is that the image at a position is seen where nobody knows the distance, by all frames of the surface.
+float image_chance(Centre c, bool moves, vec2 image_position, Past surface) {
+    float odds = clamp(log_odds(clamp(surface.image_share, 1e-3, 0.999)), -LARGEST_ODDS, LARGEST_ODDS);
+    odds = mix(log_odds(CHANCE_AT_FIRST), odds, ODDS_KEPT);
+    if (moves) odds += evidence_for_image(c, image_position, surface);
+    return 1.0 / (1.0 + exp(-clamp(odds, -LARGEST_ODDS, LARGEST_ODDS)));
+}
+
 Past mixed(Past a, Past b, float share) {
     History light = History(mix(a.light.irradiance, b.light.irradiance, share), mix(a.light.mean, b.light.mean, share),
                             mix(a.light.second_moment, b.light.second_moment, share));
-    return Past(true, mix(a.frames, b.frames, share), mix(a.nearness, b.nearness, share), mix(a.roughness, b.roughness, share), light);
+    return Past(true, mix(a.frames, b.frames, share), mix(a.nearness, b.nearness, share), mix(a.roughness, b.roughness, share),
+                mix(a.image_share, b.image_share, share), light);
 }
 
 // How sure it is that a past shows what is seen now, at most 1: of a mirror, whose image was followed, and of a picture that stands still before
@@ -343,7 +424,7 @@ float steadiness_of(Centre c, float radius, vec2 image_position) {
 }
 
 // The better of two pasts, or a blend of both, in the light of this frame; its frames are what it is worth. `hit_distance`: of this frame, then with its past.
-// `image_share`: of the blend, from where the image was. `steadiness`: see steadiness_of.
+// `image_share`: of the blend, from where the image was; how likely that is where nobody knows the distance. `steadiness`: see steadiness_of.
 Past best_past(Centre c, float roughness, float explained, inout float hit_distance, out float image_share, out float steadiness) {
     Past surface = past_at(c, c.mirror.surface_position);
     float radius = lobe_radius(c.depth, Reflection(hit_distance, roughness));
@@ -361,6 +442,7 @@ Past best_past(Centre c, float roughness, float explained, inout float hit_dista
     float tolerance = SHARPEST + 0.5 * lobe_radius(c.depth, Reflection(mirror_image_distance(seen.hit_distance, curvature.mean), seen.roughness));
     vec2 position = c.mirror.surface_position;
     bool by_light = !MIXED && !is_known;
+    float chance = CHANCE_AT_FIRST;
     Past image = nothing();
     BadMotion bad;
     Scenery before = scenery_before(c.mirror, curvature, Reflection(hit_distance, roughness), bad);
@@ -393,15 +475,12 @@ Past best_past(Centre c, float roughness, float explained, inout float hit_dista
         if (MIXED) image.frames = worth(image.frames, off, 1.0);
     } else {
         steadiness = 0.0;
-        float kept = 0.0;
-        if (surface.found) {
-            float frames = frames_by_light(c, c.mirror.surface_position, surface, AGREES_WIDEST, true);
-            kept = frames / max(surface.frames, 1e-6);
-            surface.frames = frames;
-        }
-        // Where light agrees with the past of the surface, nothing speaks for an image.
-        if (found && moved > STILL && kept < 1.0) image = past_at(c, position);
-        if (image.found) image.frames = (1.0 - kept) * frames_by_light(c, position, image, AGREES_WIDEST, true);
+        bool moves = found && moved > STILL;
+        if (surface.found) chance = image_chance(c, moves, position, surface);
+        if (moves && (!surface.found || chance > UNLIKELY)) image = past_at(c, position);
+        bool both = surface.found && image.found;
+        if (surface.found) surface.frames = (both ? 1.0 - chance : 1.0) * frames_by_light(c, c.mirror.surface_position, surface, AGREES_WIDEST, true);
+        if (image.found) image.frames = (both ? chance : 1.0) * frames_by_light(c, position, image, AGREES_WIDEST, true);
     }
     if (image.found && is_known) {
         vec2 remembered = position;
@@ -429,6 +508,7 @@ Past best_past(Centre c, float roughness, float explained, inout float hit_dista
         float agreeing = frames_by_light(c, chosen, past, share > 0.0 ? AGREES : AGREES_WIDEST, false);
         past.frames = MIXED ? mix(past.frames, agreeing, mirrored) : agreeing;
     }
+    if (by_light) image_share = chance;
     past.light = in_light(past.light, c.origin, vec3(1.0), frame.exposure_ratio);
     return past;
 }

@@ -17,7 +17,8 @@ const float NO_PAST = -1.0;
 const float ROUGHNESS_STEPS = 1023.0;
 const float SHARE_STEPS = 62.0;
 
-// `image_share`: of the past that was taken, how much comes from where the image was, or NO_PAST.
+// `image_share`: of the past that was taken, how much comes from where the image was, or NO_PAST; where the hit distance is unknown, how likely it
+// is that the image is seen.
 uint pack_reflection(Reflection r, float image_share) {
     uint share = image_share < 0.0 ? 0u : 1u + uint(image_share * SHARE_STEPS + 0.5);
     uint roughness = uint(r.roughness * ROUGHNESS_STEPS + 0.5);

@@ -20,8 +20,8 @@ pub(crate) struct SeenReflection {
 const ROUGHNESS_STEPS: f32 = 1023.0;
 const SHARE_STEPS: f32 = 62.0;
 
-/// A texel of `reflection*`. `image_share`: how much of the past comes from where the image of what is seen was, 0 to 1; `None`: there
-/// is no past.
+/// A texel of `reflection*`. `image_share`: how much of the past comes from where the image of what is seen was, 0 to 1, or how likely it
+/// is that it is seen, where the hit distance is unknown; `None`: there is no past.
 pub(crate) fn pack_reflection(reflection: &SeenReflection, image_share: Option<f32>) -> u32 {
     let steps = |x: f32, count: f32| (x.clamp(0.0, 1.0) * count + 0.5).floor() as u32;
     let share = image_share.map_or(0, |share| 1 + steps(share, SHARE_STEPS));

@@ -1,5 +1,6 @@
 //! The past of a reflection: where the surface was, where the image behind it was, and how much each is worth.
 
+use super::evidence::{CHANCE_AT_FIRST, UNLIKELY};
 use super::{Centre, Scene};
 use crate::nodes::temporal_accumulation::twin::{cubic_taps, SMALLEST_WEIGHT_SUM};
 use crate::reference::binary16::LARGEST_HALF;
@@ -8,7 +9,8 @@ use crate::reference::luminance::texel_luminance;
 use crate::reference::luminance_history::unpack_luminance_history;
 use crate::reference::projection::{extent_ratio, previous_surface};
 use crate::reference::reflection::{
-    hit_distance_of, lobe_radius, lobe_width, mirror_image_distance, mirror_share, nearness, unpack_reflection, SeenReflection,
+    hit_distance_of, lobe_radius, lobe_width, mirror_image_distance, mirror_share, nearness, unpack_image_share, unpack_reflection,
+    SeenReflection,
 };
 use crate::reference::render_rect::RenderRect;
 use crate::reference::virtual_motion::image_at_rest;
@@ -37,14 +39,14 @@ const ROUNDED: f32 = 1e-3;
 const AGREEMENT_REACH: i32 = 2;
 const FEWEST_AGREEING: f32 = 9.0;
 /// Of the light of a past: logarithms of less are next to equal.
-const DARK: f32 = 0.02;
+pub(super) const DARK: f32 = 0.02;
 /// Of the pixels around the 3×3 nearest ones, beside those.
 const RING_WEIGHT: f32 = 0.25;
 /// By how much the mean of a logarithm to base 2 may lie below the logarithm of a mean, of the variance: four times that of a log-normal
 /// distribution, since rare light is skewed more.
 const LOG_BIAS: f32 = 1.386;
 /// Smallest variances of logarithms to base 2: of a mean of pixels, and of a sample.
-const LOG_ROUNDED: f32 = 1e-3;
+pub(super) const LOG_ROUNDED: f32 = 1e-3;
 const LOG_NOISE: f32 = 1e-2;
 /// Pixels that rare light should have hit by the past, of those compared: up to the first, that it hit none is chance, from the second on it
 /// is a change.
@@ -67,6 +69,8 @@ pub(super) struct Past {
     /// Hit distance as a share of the way from the eye.
     pub nearness: f32,
     pub roughness: f32,
+    /// See [`unpack_image_share`]; of no past, [`CHANCE_AT_FIRST`].
+    pub image_share: f32,
     pub irradiance: [f32; 3],
     /// Of luminance about the origin of the pixel: the difference of squares would cancel otherwise.
     pub mean: f32,
@@ -79,7 +83,7 @@ pub(super) struct BestPast {
     pub past: Past,
     /// What its mean is taken about.
     pub origin: f32,
-    /// How much of it comes from where the image was.
+    /// How much of it comes from where the image was; how likely that is where nobody knows the distance.
     pub image_share: f32,
     /// How sure it is that it shows what is seen now.
     pub steadiness: f32,
@@ -90,6 +94,7 @@ impl Past {
         self.frames += weight * tap.frames;
         self.nearness += weight * tap.nearness;
         self.roughness += weight * tap.roughness;
+        self.image_share += weight * tap.image_share;
         (0..3).for_each(|i| self.irradiance[i] += weight * tap.irradiance[i]);
         self.mean += weight * tap.mean;
         self.second_moment += weight * tap.second_moment;
@@ -120,7 +125,7 @@ fn image_share(surface: Option<Past>, image: Option<Past>) -> f32 {
     }
 }
 
-fn of_light([r, g, b]: [f32; 3]) -> f32 {
+pub(super) fn of_light([r, g, b]: [f32; 3]) -> f32 {
     texel_luminance([r, g, b, 0.0])
 }
 
@@ -190,22 +195,23 @@ impl Scene<'_> {
         let mirrored = if is_mixed { explained * share } else { 1.0 };
         let steadiness =
             position.filter(|_| !is_mixed && !by_light).map_or(0.0, |position| share * self.steadiness(c, radius, position));
-        let mut kept = 0.0;
-        if let Some(past) = surface.as_mut().filter(|_| by_light) {
-            let frames = self.frames_by_light(c, c.mirror.surface_position, past, AGREES_WIDEST, true);
-            kept = frames / past.frames.max(1e-6);
-            past.frames = frames;
-        }
+        let chance = match surface.filter(|_| by_light) {
+            Some(past) => self.image_chance(c, position.filter(|_| moved > STILL), &past),
+            None => CHANCE_AT_FIRST,
+        };
         let image = position
             .filter(|position| !is_known || self.is_in_lobe(*position, before.thing, tried.roughness))
             // Of mixed light a lookup at the same place would blur the sharp one beside it.
             .filter(|_| (!is_mixed && is_known) || moved > STILL)
-            // Where light agrees with the past of the surface, nothing speaks for an image.
-            .filter(|_| !by_light || kept < 1.0);
+            .filter(|_| !by_light || surface.is_none() || chance > UNLIKELY);
         let mut image = image.and_then(|position| self.past_at(c, position));
         if by_light {
-            if let (Some(past), Some(position)) = (&mut image, position) {
-                past.frames = (1.0 - kept) * self.frames_by_light(c, position, past, AGREES_WIDEST, true);
+            let shares = if surface.is_some() && image.is_some() { [1.0 - chance, chance] } else { [1.0; 2] };
+            let places = [Some(c.mirror.surface_position), position];
+            for ((past, place), share) in [&mut surface, &mut image].into_iter().zip(places).zip(shares) {
+                if let (Some(past), Some(place)) = (past, place) {
+                    past.frames = share * self.frames_by_light(c, place, past, AGREES_WIDEST, true);
+                }
             }
         } else {
             // The thing may be anywhere from there on.
@@ -255,6 +261,7 @@ impl Scene<'_> {
             let agreeing = self.frames_by_light(c, chosen.unwrap_or(c.mirror.surface_position), &past, agrees, false);
             past.frames += mirrored * (agreeing - past.frames);
         }
+        let image_share = if by_light { chance } else { image_share };
         Some(BestPast { past, origin: c.origin, image_share, steadiness })
     }
 
@@ -338,14 +345,15 @@ impl Scene<'_> {
 
     fn tap(&self, c: &Centre, q: IVec2) -> Past {
         let previous = &self.inputs.previous;
-        let (luminance_history, seen) =
-            (unpack_luminance_history(previous.luminance_history.at(q)), unpack_reflection(previous.reflection.at(q)));
+        let (luminance_history, reflection) = (unpack_luminance_history(previous.luminance_history.at(q)), previous.reflection.at(q));
+        let seen = unpack_reflection(reflection);
         let [r, g, b, _] = previous.history.at(q);
         let mean = luminance_history.mean - c.origin;
         Past {
             frames: luminance_history.history_length,
             nearness: nearness(c.mirror.surface.linear_depth, seen.hit_distance),
             roughness: seen.roughness,
+            image_share: unpack_image_share(reflection).unwrap_or(CHANCE_AT_FIRST),
             irradiance: [r, g, b],
             mean,
             second_moment: luminance_history.deviation * luminance_history.deviation + mean * mean,

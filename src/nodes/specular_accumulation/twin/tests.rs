@@ -243,6 +243,38 @@ fn the_light_tells_whether_a_thing_at_unknown_distance_moves_as_the_surface_or_a
     assert!(of_unknown_light(STEP, 0.05, stripes, |_| 16.0).0 < 2.0, "as neither");
 }
 
+/// Light that is the same everywhere tells nothing.
+#[test]
+fn what_former_frames_told_is_kept_for_some_frames() {
+    for (before, expected) in [(None, 0.076), (Some(0.95), 0.867), (Some(0.0), 0.013)] {
+        let seen = SeenReflection { hit_distance: 0.0, roughness: 1.0 };
+        let mut wall = Wall { roughness: None, ..Wall::new(STEP, 0.0, 0.0) };
+        wall.history = Image::new(EXTENT, [1.0; 4]);
+        wall.noisy = Image::new(EXTENT, [1.0, 1.0, 1.0, 0.0]);
+        wall.reflection = Image::new(EXTENT, pack_reflection(&seen, before));
+        let given = unpack_image_share(wall.run().reflection.at(IVec2::new(12, 8))).expect("a past");
+        assert!((given - expected).abs() < 0.01, "{before:?}: {given} for {expected}");
+    }
+}
+
+/// Two pasts of eight frames differ by noise, and one of them is a little nearer to the noise of now.
+#[test]
+fn the_noise_of_pasts_does_not_tell_what_is_seen() {
+    let images = |frames| {
+        let mut wall = Wall { roughness: None, ..Wall::new(STEP, 0.0, 0.0) };
+        wall.history = noise(EXTENT, 7).map(|texel| texel.map(|x| 0.5 + (x - 0.5) / 8.0_f32.sqrt()));
+        wall.noisy = noise(EXTENT, 8).map(|&[r, g, b, _]| [r, g, b, 0.0]);
+        let luminance_history = LuminanceHistory { mean: 0.5, deviation: 0.3, history_length: frames, reason: 0 };
+        wall.luminance_history = Image::new(EXTENT, pack_luminance_history(&luminance_history));
+        let reflection = wall.run().reflection;
+        let pixels = (4..20).flat_map(|x| (4..12).map(move |y| IVec2::new(x, y)));
+        pixels.filter(|p| unpack_image_share(reflection.at(*p)) > Some(0.5)).count()
+    };
+    // A past of a thousand frames would not be noisy.
+    let [noisy, sure] = [8.0, 1000.0].map(images);
+    assert!(noisy < 10 && sure > 4 * noisy, "{noisy} of 128, {sure} where nothing is taken for noise");
+}
+
 #[test]
 fn a_highlight_that_left_drops_its_past() {
     let before = |x: i32| if (10..15).contains(&x) { 16.0 } else { 1.0 };
