@@ -1,11 +1,11 @@
 //! Percentile-based adaptive SVGF [PSVGF].
 
-use super::past::{albedo, Past};
-use super::specular::{beside, filtered, Specular};
+use super::past::Past;
+use super::specular::{demodulated, estimated, filtered, Specular};
 use super::{box_filter, compared_with_history, noisy, usual_light, Denoised};
 use crate::config::{AdaptiveRule, Config};
 use crate::graph::{Feedback, Graph, Guides};
-use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Intermediates, Variance};
+use crate::nodes::{Accumulation, Atrous, Estimator, Intermediates, Variance};
 
 /// Percentile-adaptive SVGF: statistics of 8×8 pixels remove fireflies and detect outdated history.
 /// \[PSVGF\]
@@ -13,8 +13,7 @@ use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Intermediates, V
 /// It reads `signals`, `sampling`, `levels` and `adaptive_rule` of the configuration.
 pub fn percentile(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let noisy = noisy(g, config.signals);
-    let irradiance =
-        g.demodulate(guides, &noisy, Demodulate { albedo: albedo(config), sampling: config.sampling, ..Demodulate::default() });
+    let (irradiance, reflected) = demodulated(g, guides, config, &noisy, None, None);
     let past = Past::new(g, config, &irradiance, Feedback::Accumulated);
     let history = past.history;
     let usual = usual_light(g, guides, &irradiance, config);
@@ -35,7 +34,7 @@ pub fn percentile(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let variance = Variance { estimator: Estimator::OfMean, ..Variance::default() };
     let estimate = g.variance(guides, &accumulated, &history, variance);
     let specular = Specular { confidence: Some(confidence), difference, ..Specular::default() };
-    let specular = beside(g, guides, config, specular);
+    let specular = reflected.map(|reflected| estimated(g, guides, config, &reflected, specular));
     // The 3x3 box costs 9 taps of 25 and pays for the statistics; on the flickering box it is no worse.
     let spatial = Atrous { reflection: mixed, ..box_filter(config) };
     let radiance = filtered(g, guides, config, &estimate, spatial, specular);
