@@ -2,7 +2,7 @@
 
 use super::past::Past;
 use super::specular::{compared, demodulated, estimated, filtered, Specular};
-use super::{compared_with_history, gradient_samples, noisy, usual_light, Denoised};
+use super::{compared_with_history, firefly_filter, gradient_samples, noisy, Denoised};
 use crate::config::{Config, Signals};
 use crate::graph::{Feedback, Graph, Guides};
 use crate::nodes::{Accumulation, Atrous, Estimator, Intermediates, Kernel, LuminanceWeight, Variance};
@@ -79,14 +79,15 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
     let (irradiance, reflected) = demodulated(g, guides, config, &noisy, gradient, samples);
     let past = Past::new(g, config, &irradiance, best.feedback);
     let history = past.history;
-    let usual = best.firefly_filter.then(|| usual_light(g, guides, &irradiance, config));
-    let (irradiance, difference) = match (best.change_test && gradient.is_some(), &usual) {
-        (true, usual) => {
-            let (irradiance, difference) = compared_with_history(g, guides, irradiance, &history, usual.as_ref());
-            (irradiance, Some(difference))
+    let (irradiance, difference, usual) = match best.change_test && gradient.is_some() {
+        true => {
+            let (irradiance, difference, usual) = compared_with_history(g, guides, irradiance, &history, best.firefly_filter);
+            (irradiance, Some(difference), usual)
         }
-        (false, Some(usual)) => (g.firefly(guides, &irradiance, &usual.limits), None),
-        (false, None) => (irradiance, None),
+        false => {
+            let (irradiance, usual) = firefly_filter(g, guides, irradiance, config, best.firefly_filter);
+            (irradiance, None, usual)
+        }
     };
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let confidence = match (&gradient, &difference) {

@@ -2,7 +2,7 @@
 
 use super::past::Past;
 use super::specular::{demodulated, estimated, filtered, Specular};
-use super::{box_filter, compared_with_history, noisy, usual_light, Denoised};
+use super::{box_filter, compared_with_history, noisy, Denoised};
 use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
 use crate::nodes::{Accumulation, Atrous, Estimator, Intermediates, Variance};
@@ -22,8 +22,7 @@ pub fn fast_with(g: &mut Graph, guides: &Guides, config: &Config, spatial: Atrou
     let (irradiance, reflected) = demodulated(g, guides, config, &noisy, None, None);
     let past = Past::new(g, config, &irradiance, Feedback::Accumulated);
     let history = past.history;
-    let usual = config.firefly_filter.then(|| usual_light(g, guides, &irradiance, config));
-    let (irradiance, difference) = compared_with_history(g, guides, irradiance, &history, usual.as_ref());
+    let (irradiance, difference, usual) = compared_with_history(g, guides, irradiance, &history, config.firefly_filter);
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let confidence = g.change_test(&difference);
     let accumulation = Accumulation { confidence: Some(confidence), ..Accumulation::default() };
