@@ -25,6 +25,9 @@ layout(set = 0, binding = 6, rgba16f) uniform restrict readonly image2D history;
 layout(set = 0, binding = 7) uniform utexture2D previous_luminance_history;
 layout(set = 0, binding = 8, rgba16ui) uniform writeonly uimage2D block_difference;
 
+#define guide_at(p) imageLoad(guide, p)
+#define irradiance_at(p) imageLoad(irradiance, p)
+#define history_at(p) imageLoad(history, p)
 #include "block_difference.glsl"
 
 void main() { write_block_difference(); }

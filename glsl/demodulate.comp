@@ -2,7 +2,7 @@
 // Divides the noisy radiance by the albedo, so that texture does not reach the filters, and stops what is not finite.
 // Source: [SVGF] section 3, demodulation by the albedo.
 // In:  noisy radiance per signal and albedo of the host, linear Rec. 709; guide. Specular light has specular_f0 in place of an albedo where the
-//      host has none, and specular_hit_distance. Mixed light has both albedos, which add up.
+//      host has none, and specular_hit_distance. Mixed light has both albedos, which add up. With SPECULAR the second signal is specular light.
 // Out: irradiance per signal; alpha: 0 (-1 in holes), or the hit distance (scene units; 0: unknown; 65504: beyond the scene). Radiance that
 //      is not finite is no sample: a hole, filled from the 3x3 pixels around it (alpha -1; -2: none of them has a sample), unless the input
 //      is sub-sampled: then fill_holes or eaw does it.
@@ -18,6 +18,7 @@
 #extension GL_GOOGLE_include_directive : require
 
 layout(constant_id = 1) const uint SAMPLING = 0u;
+layout(constant_id = 2) const bool SPECULAR = false;
 
 layout(push_constant) uniform Push {
     uint present;
@@ -71,13 +72,18 @@ layout(set = 0, binding = NOISY_RED_BLUE, r32ui) uniform writeonly uimage2D nois
 layout(set = 0, binding = CANDIDATES) uniform utexture2D candidates;
 #endif
 
-vec3 divisor_at(ivec2 p, GuideBits packed, out bool bad) {
-    bool from_f0 = !is_present(ALBEDO) && is_present(SPECULAR_F0);
+vec3 coat_at(ivec2 traced) { return texelFetch(specular_albedo, host_pixel(SPECULAR_ALBEDO, traced), 0).rgb; }
+
+// `second`: of the second signal, where that is specular light.
+vec3 divisor_at(ivec2 p, GuideBits packed, bool second, out bool bad) {
+    bool has_albedo = is_present(second ? SPECULAR_ALBEDO : ALBEDO), from_f0 = !has_albedo && second == SPECULAR && is_present(SPECULAR_F0);
     bad = false;
-    if ((!is_present(ALBEDO) && !from_f0) || guide_depth(packed) == 0.0) return vec3(1.0);
+    if ((!has_albedo && !from_f0) || guide_depth(packed) == 0.0) return vec3(1.0);
     ivec2 traced = guide_pixel(p);
-    vec3 a = from_f0 ? texelFetch(specular_f0, host_pixel(SPECULAR_F0, traced), 0).rgb : texelFetch(albedo, host_pixel(ALBEDO, traced), 0).rgb;
-    if (!from_f0 && is_present(SPECULAR_ALBEDO)) a += texelFetch(specular_albedo, host_pixel(SPECULAR_ALBEDO, traced), 0).rgb;
+    vec3 a;
+    if (from_f0) a = texelFetch(specular_f0, host_pixel(SPECULAR_F0, traced), 0).rgb;
+    else if (second) a = coat_at(traced);
+    else a = texelFetch(albedo, host_pixel(ALBEDO, traced), 0).rgb + (!SPECULAR && is_present(SPECULAR_ALBEDO) ? coat_at(traced) : vec3(0.0));
     bad = !is_finite(a);
     return divisor_of(from_f0 ? specular_albedo_from(a, p, packed) : a);
 }
@@ -93,8 +99,12 @@ float hit_distance_at(ivec2 p) {
     return distance == 0.0 ? FARTHEST_HIT : clamp(distance, 1.0 / 16384.0, FARTHEST_HIT);
 }
 
+void add_hit_distance(inout vec4 irradiance, ivec2 p) {
+    if (is_present(SPECULAR_HIT_DISTANCE) && irradiance.a >= 0.0) irradiance.a = hit_distance_at(p);
+}
+
 // A pixel without a sample, from those around it.
-vec4 filled(ivec2 p, uint binding, texture2D noisy) {
+vec4 filled(ivec2 p, uint binding, texture2D noisy, bool second) {
     EdgeCentre centre = edge_centre(GuideBits(texelFetch(guide, p, 0)), unpack_depth_gradient(texelFetch(depth_gradient, p, 0).x));
     Filling sum = no_filling();
     [[dont_unroll]] for (int i = 0; i < 9; ++i) {
@@ -104,12 +114,12 @@ vec4 filled(ivec2 p, uint binding, texture2D noisy) {
         vec3 radiance = texelFetch(noisy, host_pixel(binding, q), 0).rgb;
         if (!is_finite(radiance) || !is_of_same_kind(centre, packed)) continue;
         bool bad;
-        add_sample(sum, storable(exposed(radiance) / divisor_at(q, packed, bad)), packed, vec2(offset), centre);
+        add_sample(sum, storable(exposed(radiance) / divisor_at(q, packed, second, bad)), packed, vec2(offset), centre);
     }
     return filled_hole(sum);
 }
 
-vec4 demodulated(ivec2 p, uint binding, texture2D noisy, vec3 radiance, vec3 divisor) {
+vec4 demodulated(ivec2 p, uint binding, texture2D noisy, vec3 radiance, vec3 divisor, bool second) {
     if (is_finite(radiance)) {
         vec3 irradiance = exposed(radiance) / divisor;
         if (is_saturated(irradiance)) count_bad(SATURATED);
@@ -117,7 +127,7 @@ vec4 demodulated(ivec2 p, uint binding, texture2D noisy, vec3 radiance, vec3 div
     }
     if (SAMPLING > 0u) return vec4(vec3(0.0), HOLE);
     count_bad(BAD_RADIANCE);
-    return filled(p, binding, noisy);
+    return filled(p, binding, noisy, second);
 }
 
 #if LUMINANCE
@@ -132,18 +142,24 @@ bool stands_for(ivec2 s, ivec2 p) {
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
+    GuideBits packed = GuideBits(texelFetch(guide, p, 0));
     bool bad;
-    vec3 divisor = divisor_at(p, GuideBits(texelFetch(guide, p, 0)), bad);
+    vec3 divisor = divisor_at(p, packed, false, bad);
     if (bad) count_bad(BAD_ALBEDO);
     vec3 radiance = texelFetch(noisy_0, host_pixel(NOISY_0, p), 0).rgb;
-    vec4 irradiance = demodulated(p, NOISY_0, noisy_0, radiance, divisor);
-    if (is_present(SPECULAR_HIT_DISTANCE) && irradiance.a >= 0.0) irradiance.a = hit_distance_at(p);
+    vec4 irradiance = demodulated(p, NOISY_0, noisy_0, radiance, divisor, false);
+    if (!SPECULAR) add_hit_distance(irradiance, p);
     imageStore(irradiance_0, p, irradiance);
     KeptRadiance kept = nothing_kept();
     keep(kept, radiance);
     if (is_present(NOISY_1)) {
         radiance = texelFetch(noisy_1, host_pixel(NOISY_1, p), 0).rgb;
-        imageStore(irradiance_1, p, demodulated(p, NOISY_1, noisy_1, radiance, divisor));
+        vec3 second = divisor;
+        if (SPECULAR) second = divisor_at(p, packed, true, bad);
+        if (SPECULAR && bad) count_bad(BAD_ALBEDO);
+        irradiance = demodulated(p, NOISY_1, noisy_1, radiance, second, SPECULAR);
+        if (SPECULAR) add_hit_distance(irradiance, p);
+        imageStore(irradiance_1, p, irradiance);
         keep(kept, radiance);
     }
 #if LUMINANCE

@@ -2,8 +2,9 @@
 // Scales outliers down to the brightest luminance that is usual around them, before they reach the history, and spreads what that takes
 // over the block.
 // Source: [PSVGF], firefly filter. Deviation: what is cut off is not lost, but for what would show as a bright block.
-// In:  guide, firefly_limits. In place: irradiance, still noisy, own block only. With DIFFERENCE also what block_difference.comp reads, and its
-//      block_difference of the irradiance that is left: a block is read once for both.
+// In:  guide, firefly_limits. In place: irradiance, still noisy, own block only. With DIFFERENCE also what firefly_limits.comp reads, with its
+//      firefly_limits, and what block_difference.comp reads, with its block_difference of the irradiance that is left: a block is read once
+//      for all three.
 // Constants: VOLUME: of every pixel, whatever the guide says.
 // variants: DIFFERENCE=0 DIFFERENCE=1
 #extension GL_EXT_control_flow_attributes : require
@@ -15,6 +16,8 @@ layout(constant_id = 1) const bool VOLUME = false;
 layout(push_constant) uniform Push {
     float firefly_spread;
 #if DIFFERENCE
+    float percentile_range;
+    float firefly_bias;
     float depth_tolerance;
 #endif
 } push;
@@ -33,16 +36,30 @@ layout(set = 0, binding = 1, rgba16ui) uniform restrict readonly uimage2D guide;
 layout(set = 0, binding = 1) uniform utexture2D guide;
 #define guide_at(p) texelFetch(guide, p, 0)
 #endif
+#if DIFFERENCE
+layout(set = 0, binding = 2, r32ui) uniform writeonly uimage2D firefly_limits;
+#else
 layout(set = 0, binding = 2) uniform utexture2D firefly_limits;
+#endif
 layout(set = 0, binding = 3, rgba16f) uniform image2D irradiance;
 #if DIFFERENCE
 layout(set = 0, binding = 4) uniform utexture2D previous_guide;
 layout(set = 0, binding = 5) uniform utexture2D surface_motion;
 layout(set = 0, binding = 6) uniform utexture2D depth_gradient;
-layout(set = 0, binding = 7, rgba16f) uniform restrict readonly image2D history;
+// Vulkan guarantees four storage images alone.
+layout(set = 0, binding = 7) uniform texture2D history;
 layout(set = 0, binding = 8) uniform utexture2D previous_luminance_history;
 layout(set = 0, binding = 9, rgba16ui) uniform writeonly uimage2D block_difference;
+layout(set = 0, binding = 10) uniform utexture2D block_percentiles;
+layout(set = 0, binding = 11) uniform utexture2D previous_firefly_limits;
+#define RETURNING 1
+#define irradiance_at(p) imageLoad(irradiance, p)
+#define history_at(p) texelFetch(history, p, 0)
+#include "firefly_limits.glsl"
 #include "block_difference.glsl"
+
+// Of the cells of the blocks in a row, packed.
+shared uint cell_limits[CELLS];
 #endif
 
 // Of a cluster, in shares of what one outlier spreads at most: more would show.
@@ -63,7 +80,15 @@ float kept_share(float l, FireflyLimit limit) {
     return limit.is_cluster ? share * share : share;
 }
 
-FireflyLimit limit_at(ivec2 p) { return unpack_firefly_limits(texelFetch(firefly_limits, nearest_inside(p) / CELL_SIZE, 0).x); }
+FireflyLimit limit_at(ivec2 p) {
+    ivec2 cell = nearest_inside(p) / CELL_SIZE;
+#if DIFFERENCE
+    cell -= 2 * first_block();
+    return unpack_firefly_limits(cell_limits[cell.x + int(ROW_CELLS) * cell.y]);
+#else
+    return unpack_firefly_limits(texelFetch(firefly_limits, cell, 0).x);
+#endif
+}
 
 vec4 column_of(ivec2 top) {
     vec4 sum = vec4(0.0);
@@ -101,7 +126,23 @@ void cut_outliers() {
     }
 }
 
+#if DIFFERENCE
+void find_limits() {
+    ivec2 cell;
+    FireflyLimit limit;
+    if (limit_of_cell(cell, limit)) {
+        uint packed = pack_firefly_limit(limit);
+        imageStore(firefly_limits, cell, uvec4(packed));
+        cell_limits[gl_LocalInvocationIndex] = packed;
+    }
+    barrier();
+}
+#endif
+
 void main() {
+#if DIFFERENCE
+    find_limits();
+#endif
     cut_outliers();
 #if DIFFERENCE
     // Of the pixels that this invocation has written itself.

@@ -1,6 +1,6 @@
 // How far the light of a block departs from its own history: mean and deviation of the paired differences. Twin:
 // src/nodes/block_difference/twin.rs. Needs `float depth_tolerance` in the shader's block `push`, a workgroup of eight blocks with an invocation
-// a column, and the images of block_difference.comp.
+// a column, the images of block_difference.comp, `guide_at`, `irradiance_at` and `history_at`.
 #ifndef BLOCK_DIFFERENCE_GLSL
 #define BLOCK_DIFFERENCE_GLSL
 #include "frame.glsl"
@@ -28,10 +28,10 @@ shared Sums sums[ROW_PIXELS];
 // Without branches: software Vulkan masks them, and then reads images a lane at a time.
 Sums sums_of(ivec2 pixel) {
     ivec2 p = nearest_inside(pixel), tap;
-    bool counts = nearest_history(p, GuideBits(imageLoad(guide, p)), surface_motion, depth_gradient, previous_guide, tap);
-    vec4 texel = imageLoad(irradiance, p);
+    bool counts = nearest_history(p, GuideBits(guide_at(p)), surface_motion, depth_gradient, previous_guide, tap);
+    vec4 texel = irradiance_at(p);
     float now = luminance(texel.rgb);
-    float before = min(luminance(imageLoad(history, tap).rgb) * frame.exposure_ratio, 65504.0);
+    float before = min(luminance(history_at(tap).rgb) * frame.exposure_ratio, 65504.0);
     LuminanceHistory luminance_history = unpack_luminance_history(texelFetch(previous_luminance_history, tap, 0));
     float deviation = luminance_history.deviation * frame.exposure_ratio;
     float uncertainty = 1.0 / max(luminance_history.history_length, 1.0);

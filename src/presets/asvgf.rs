@@ -1,11 +1,11 @@
 //! Adaptive temporal filtering by temporal gradients \[ASVGF\].
 
-use super::past::{albedo, Past};
-use super::specular::{beside, compared, filtered, Specular};
+use super::past::Past;
+use super::specular::{compared, demodulated, estimated, filtered, Specular};
 use super::{box_filter, change_of_light, firefly_filter, gradient_samples, noisy, Denoised};
 use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
-use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Intermediates, Variance};
+use crate::nodes::{Accumulation, Atrous, Estimator, Intermediates, Variance};
 
 /// A-SVGF: temporal gradients measure how outdated the history of each pixel is. The rest is SVGF
 /// with a 3×3 box, and with the fading estimate of variance \[PSVGF\]. \[ASVGF\] 3.
@@ -18,8 +18,7 @@ pub fn asvgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let compared = compared(g, &noisy, config);
     let change = change_of_light(g, guides, &compared, gradients);
     let samples = gradients.and_then(|gradients| gradients.samples());
-    let demodulate = Demodulate { albedo: albedo(config), gradient: change.gradient, samples, sampling: config.sampling };
-    let irradiance = g.demodulate(guides, &noisy, demodulate);
+    let (irradiance, reflected) = demodulated(g, guides, config, &noisy, change.gradient, samples);
     let (irradiance, usual) = firefly_filter(g, guides, irradiance, config, config.firefly_filter);
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let past = Past::new(g, config, &irradiance, Feedback::Accumulated);
@@ -29,8 +28,8 @@ pub fn asvgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     // Light that changes makes many histories short: the fading estimate costs as much for them as for long ones.
     let variance = Variance { estimator: Estimator::OfMean, ..Variance::default() };
     let estimate = g.variance(guides, &accumulated, &history, variance);
-    let specular = Specular { samples, confidence: Some(change.confidence), ..Specular::default() };
-    let specular = beside(g, guides, config, specular);
+    let specular = Specular { confidence: Some(change.confidence), ..Specular::default() };
+    let specular = reflected.map(|reflected| estimated(g, guides, config, &reflected, specular));
     let spatial = Atrous { reflection: mixed, ..box_filter(config) };
     let radiance = filtered(g, guides, config, &estimate, spatial, specular);
     let intermediates = Intermediates {

@@ -1,11 +1,11 @@
 //! The default filter: every part that made pictures better, in one graph.
 
-use super::past::{albedo, Past};
-use super::specular::{beside, compared, filtered, Specular};
-use super::{compared_with_history, gradient_samples, noisy, usual_light, Denoised};
+use super::past::Past;
+use super::specular::{compared, demodulated, estimated, filtered, Specular};
+use super::{compared_with_history, firefly_filter, gradient_samples, noisy, Denoised};
 use crate::config::{Config, Signals};
 use crate::graph::{Feedback, Graph, Guides};
-use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Intermediates, Kernel, LuminanceWeight, Variance};
+use crate::nodes::{Accumulation, Atrous, Estimator, Intermediates, Kernel, LuminanceWeight, Variance};
 
 /// Parameters of [`best_with`]: the parts of [`best`] beyond A-SVGF, one by one.
 /// `docs/lab/quality.md` measures the worth of each.
@@ -76,18 +76,18 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
         g.gradient_atrous(guides, &gradient)
     });
     let samples = gradients.and_then(|gradients| gradients.samples());
-    let demodulate = Demodulate { albedo: albedo(config), gradient, samples, sampling: config.sampling };
-    let irradiance = g.demodulate(guides, &noisy, demodulate);
+    let (irradiance, reflected) = demodulated(g, guides, config, &noisy, gradient, samples);
     let past = Past::new(g, config, &irradiance, best.feedback);
     let history = past.history;
-    let usual = best.firefly_filter.then(|| usual_light(g, guides, &irradiance, config));
-    let (irradiance, difference) = match (best.change_test && gradient.is_some(), &usual) {
-        (true, usual) => {
-            let (irradiance, difference) = compared_with_history(g, guides, irradiance, &history, usual.as_ref());
-            (irradiance, Some(difference))
+    let (irradiance, difference, usual) = match best.change_test && gradient.is_some() {
+        true => {
+            let (irradiance, difference, usual) = compared_with_history(g, guides, irradiance, &history, best.firefly_filter);
+            (irradiance, Some(difference), usual)
         }
-        (false, Some(usual)) => (g.firefly(guides, &irradiance, &usual.limits), None),
-        (false, None) => (irradiance, None),
+        false => {
+            let (irradiance, usual) = firefly_filter(g, guides, irradiance, config, best.firefly_filter);
+            (irradiance, None, usual)
+        }
     };
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let confidence = match (&gradient, &difference) {
@@ -104,13 +104,12 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
         feedback,
         variance,
         sharp: best.sharp,
-        samples,
         confidence: Some(confidence),
         gradient,
         change_test: best.change_test,
         ..Specular::default()
     };
-    let specular = beside(g, guides, config, specular);
+    let specular = reflected.map(|reflected| estimated(g, guides, config, &reflected, specular));
     let spatial = Atrous { feedback: (feedback == Feedback::Filtered).then_some(history), reflection: mixed, ..spatial };
     let radiance = filtered(g, guides, config, &estimate, spatial, specular);
     let intermediates = Intermediates {

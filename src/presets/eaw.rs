@@ -1,11 +1,10 @@
 //! Edge-avoiding à-trous wavelets [EAW]: one frame, no history.
 
-use super::past::albedo;
-use super::specular::{modulate, sum};
+use super::specular::{demodulated, modulate, sum};
 use super::{firefly_filter, noisy, Denoised};
-use crate::config::{Config, Signals};
+use crate::config::Config;
 use crate::graph::{Graph, Guides};
-use crate::nodes::{Albedo, Demodulate, Eaw, Intermediates};
+use crate::nodes::{Eaw, Intermediates};
 
 /// EAW: wavelet levels by radiance, normal and position, without history. \[EAW\]
 ///
@@ -14,19 +13,16 @@ pub fn eaw(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let &Config { eaw_weights: weights, sampling, .. } = config;
     let levels = config.levels();
     let noisy = noisy(g, config.signals);
-    let irradiance = g.demodulate(guides, &noisy, Demodulate { albedo: albedo(config), sampling, ..Demodulate::default() });
+    let (irradiance, reflected) = demodulated(g, guides, config, &noisy, None, None);
     let (irradiance, usual) = firefly_filter(g, guides, irradiance, config, config.firefly_filter);
     let filtered = g.eaw(guides, &irradiance, Eaw { levels, weights, sampling, ..Eaw::default() });
-    let radiance = match config.signals {
-        Signals::Specular => {
-            let noisy = g.radiance("noisy_specular");
-            let irradiance =
-                g.demodulate(guides, &noisy, Demodulate { albedo: Albedo::Specular, sampling, ..Demodulate::default() });
-            let specular = g.eaw(guides, &irradiance, Eaw { levels, weights, sampling, ..Eaw::default() });
+    let radiance = match &reflected {
+        Some(reflected) => {
+            let specular = g.eaw(guides, reflected, Eaw { levels, weights, sampling, ..Eaw::default() });
             let both = g.pair(&filtered, &specular);
             sum(g, guides, config, &both)
         }
-        _ => g.modulate(guides, &filtered, modulate(config)),
+        None => g.modulate(guides, &filtered, modulate(config)),
     };
     Denoised { radiance, intermediates: Intermediates { usual, ..Intermediates::new(&noisy) } }
 }

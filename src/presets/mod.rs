@@ -226,18 +226,20 @@ fn firefly_filter(
     (g.firefly(guides, &irradiance, &usual.limits), Some(usual))
 }
 
-/// Light without outliers, where their limits are given, and its departure from its history: one pass for both.
+/// [`firefly_filter`], and the departure of the light that it leaves from its history, in the same pass.
 fn compared_with_history(
     g: &mut Graph,
     guides: &Guides,
     irradiance: Irradiance,
     history: &History,
-    usual: Option<&Usual>,
-) -> (Irradiance, Difference) {
-    match usual {
-        Some(usual) => g.firefly_and_difference(guides, &irradiance, &usual.limits, history),
-        None => (irradiance, g.block_difference(guides, &irradiance, history)),
+    is_on: bool,
+) -> (Irradiance, Difference, Option<Usual>) {
+    if !is_on {
+        return (irradiance, g.block_difference(guides, &irradiance, history), None);
     }
+    let percentiles = g.block_percentiles(guides, &irradiance);
+    let (irradiance, difference, limits) = g.firefly_and_difference(guides, &irradiance, &percentiles, history);
+    (irradiance, difference, Some(Usual { percentiles, limits }))
 }
 
 /// The spatial filter of presets with a 3×3 box.

@@ -2,7 +2,7 @@
 
 use crate::config::{Config, Signals};
 use crate::graph::{Accumulated, Feedback, Graph, Guides, History, Irradiance, Reflection};
-use crate::nodes::{Accumulation, Albedo, SpecularAccumulation, SpecularHistory};
+use crate::nodes::{Accumulation, SpecularAccumulation, SpecularHistory};
 
 /// Made before the nodes that read the previous frame.
 pub(super) struct Past {
@@ -33,13 +33,5 @@ impl Past {
         let parameters = SpecularAccumulation { confidence, sharp, alpha, alpha_moments, mixed: true };
         let found = g.specular_accumulation(guides, irradiance, mixed, parameters);
         (found.accumulated, Some(found.reflection))
-    }
-}
-
-/// The divisor of the light of surfaces.
-pub(super) fn albedo(config: &Config) -> Albedo {
-    match config.signals {
-        Signals::Mixed => Albedo::Mixed,
-        _ => Albedo::Diffuse,
     }
 }

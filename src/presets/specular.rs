@@ -2,7 +2,8 @@
 
 use crate::config::{Config, Signals};
 use crate::graph::{
-    Confidence, Difference, Estimate, Feedback, Gradient, GradientSamples, Graph, Guides, History, Irradiance, Radiance, Reflection,
+    Confidence, Difference, Estimate, Feedback, Gradient, GradientSamples, Graph, Guides, History, Irradiance, Port, Radiance,
+    Reflection,
 };
 use crate::nodes::{Albedo, Atrous, Demodulate, Estimator, Modulate, SpecularAccumulation, Variance};
 
@@ -25,7 +26,7 @@ pub struct Specular {
     /// Whether a change test of specular light replaces unknown gradients, and overrules gradients
     /// where it is sure that nothing changed. Default: true.
     pub change_test: bool,
-    /// Re-shaded pixels.
+    /// Re-shaded pixels, for [`specular`].
     pub samples: Option<GradientSamples>,
 }
 
@@ -44,6 +45,28 @@ impl Default for Specular {
     }
 }
 
+/// The light of surfaces over its albedo, and specular light beside it in the same passes.
+pub(super) fn demodulated(
+    g: &mut Graph,
+    guides: &Guides,
+    config: &Config,
+    noisy: &Radiance,
+    gradient: Option<Gradient>,
+    samples: Option<GradientSamples>,
+) -> (Irradiance, Option<Irradiance>) {
+    let albedo = match config.signals {
+        Signals::Mixed => Albedo::Mixed,
+        Signals::Specular => Albedo::Each,
+        Signals::Together | Signals::Apart => Albedo::Diffuse,
+    };
+    let noisy = compared(g, noisy, config);
+    let irradiance = g.demodulate(guides, &noisy, Demodulate { albedo, gradient, samples, sampling: config.sampling });
+    match (config.signals, irradiance.images()) {
+        (Signals::Specular, &[diffuse, specular]) => (Port::of(diffuse), Some(Port::of(specular))),
+        _ => (irradiance, None),
+    }
+}
+
 /// Specular light before its spatial filter.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SpecularEstimate {
@@ -57,24 +80,26 @@ pub(super) struct SpecularEstimate {
 ///
 /// It reads `sampling` of the configuration.
 pub fn specular(g: &mut Graph, guides: &Guides, config: &Config, specular: Specular, spatial: Atrous) -> (Irradiance, Reflection) {
-    let SpecularEstimate { estimate, history, reflection } = estimated(g, guides, config, specular);
+    let noisy = g.radiance("noisy_specular");
+    let demodulate =
+        Demodulate { albedo: Albedo::Specular, samples: specular.samples, sampling: config.sampling, ..Demodulate::default() };
+    let irradiance = g.demodulate(guides, &noisy, demodulate);
+    let SpecularEstimate { estimate, history, reflection } = estimated(g, guides, config, &irradiance, specular);
     let feedback = (specular.feedback == Feedback::Filtered).then_some(history);
     (g.atrous(guides, &estimate, Atrous { feedback, reflection: Some(reflection), ..spatial }).into(), reflection)
 }
 
-/// [`estimated`] where the configuration has specular light. Call it before the spatial filter of diffuse light: the images that
+/// Accumulates specular light and estimates its deviation. Call it before the spatial filter of diffuse light: the images that
 /// accumulations alone read are dead then.
-pub(super) fn beside(g: &mut Graph, guides: &Guides, config: &Config, specular: Specular) -> Option<SpecularEstimate> {
-    (config.signals == Signals::Specular).then(|| estimated(g, guides, config, specular))
-}
-
-/// Accumulates `noisy_specular` and estimates its deviation.
-fn estimated(g: &mut Graph, guides: &Guides, config: &Config, specular: Specular) -> SpecularEstimate {
-    let noisy = g.radiance("noisy_specular");
-    let Specular { feedback, variance, sharp, samples, .. } = specular;
-    let demodulate = Demodulate { albedo: Albedo::Specular, samples, sampling: config.sampling, ..Demodulate::default() };
-    let irradiance = g.demodulate(guides, &noisy, demodulate);
-    let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
+pub(super) fn estimated(
+    g: &mut Graph,
+    guides: &Guides,
+    config: &Config,
+    irradiance: &Irradiance,
+    specular: Specular,
+) -> SpecularEstimate {
+    let Specular { feedback, variance, sharp, .. } = specular;
+    let irradiance = g.fill_holes(guides, irradiance, config.sampling);
     let history = g.specular_history(&irradiance, feedback);
     let confidence = if let Some(diffuse) = specular.difference {
         let own = g.block_difference(guides, &irradiance, &history.history);

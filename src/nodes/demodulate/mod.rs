@@ -8,7 +8,7 @@ use super::pass;
 use crate::choice::choices;
 use crate::config::Sampling;
 use crate::contract::Input;
-use crate::graph::{Gradient, GradientSamples, Graph, Guides, Image, Irradiance, Pass, Radiance, Value, HDR};
+use crate::graph::{Gradient, GradientSamples, Graph, Guides, Image, Irradiance, Pass, Port, Radiance, Value, HDR};
 use crate::shaders;
 
 choices! {
@@ -28,6 +28,8 @@ choices! {
         /// Of light that is diffuse and specular together: the sum of the optional inputs `albedo` and `specular_albedo`. Without the
         /// latter `albedo` is that of both. `specular_hit_distance` as of [`Self::Specular`].
         Mixed = 3 => "mixed",
+        /// Of two signals: [`Self::Diffuse`] for the first, [`Self::Specular`] for the second.
+        Each = 4 => "each",
     }
 }
 
@@ -52,27 +54,44 @@ const HOLE_SIGMA_N: f32 = 32.0;
 const HOLE_SIGMA_Z: f32 = 1.0;
 
 /// The images that make the divisor.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub(super) struct Divisor {
     albedo: Option<Image>,
     specular_f0: Option<Image>,
-    /// Added to `albedo`.
+    /// Added to `albedo`, or with `of_each` the albedo of the second signal.
     coat: Option<Image>,
+    /// Whether `albedo` divides the first of two signals alone, and `coat` or `specular_f0` the second.
+    pub(super) of_each: bool,
 }
 
 impl Divisor {
     fn new(graph: &mut Graph, albedo: Albedo) -> Self {
         match albedo {
-            Albedo::None => Self { albedo: None, specular_f0: None, coat: None },
-            Albedo::Diffuse => Self { albedo: graph.dividing_albedo(), specular_f0: None, coat: None },
+            Albedo::None => Self::default(),
+            Albedo::Diffuse => Self { albedo: graph.dividing_albedo(), ..Self::default() },
             Albedo::Mixed => {
                 let albedo = graph.dividing_albedo();
-                Self { albedo, specular_f0: None, coat: albedo.map(|_| graph.input(Input::SPECULAR_ALBEDO)) }
+                Self { albedo, coat: albedo.map(|_| graph.input(Input::SPECULAR_ALBEDO)), ..Self::default() }
             }
             Albedo::Specular => {
                 let mut input = |input| Some(graph.input(input));
-                Self { albedo: input(Input::SPECULAR_ALBEDO), specular_f0: input(Input::SPECULAR_F0), coat: None }
+                Self { albedo: input(Input::SPECULAR_ALBEDO), specular_f0: input(Input::SPECULAR_F0), ..Self::default() }
             }
+            Albedo::Each => {
+                let albedo = graph.dividing_albedo();
+                let mut input = |input| Some(graph.input(input));
+                Self { albedo, specular_f0: input(Input::SPECULAR_F0), coat: input(Input::SPECULAR_ALBEDO), of_each: true }
+            }
+        }
+    }
+
+    /// The signals that have a divisor, with it.
+    fn of_divided(self, irradiance: &Irradiance) -> Option<(Irradiance, Self)> {
+        match (self.albedo, irradiance.images()) {
+            (None, [_, second]) if self.of_each => {
+                Some((Port::of(*second), Self { albedo: self.coat, specular_f0: self.specular_f0, ..Self::default() }))
+            }
+            (albedo, _) => albedo.map(|_| (*irradiance, self)),
         }
     }
 
@@ -102,6 +121,7 @@ impl Graph {
         let module = if kept.is_some() { &shaders::DEMODULATE_LUMINANCE_1 } else { &shaders::DEMODULATE_LUMINANCE_0 };
         let mut pass = pass(&node, module)
             .constant("SAMPLING", demodulate.sampling as u32)
+            .constant("SPECULAR", u32::from(demodulate.albedo == Albedo::Each))
             .value("sigma_n", Value::Fixed(HOLE_SIGMA_N))
             .value("sigma_z", Value::Fixed(HOLE_SIGMA_Z))
             .bind("guide", guides.guide)
@@ -109,8 +129,12 @@ impl Graph {
             .each("noisy", noisy.images())
             .each("irradiance", irradiance.images());
         let divisor = Divisor::new(self, demodulate.albedo);
+        if divisor.of_each && noisy.signals() != 2 {
+            let problem = "the albedo is that of each of two signals, and one was given; pair it with specular light";
+            self.fail(&node, "albedo", problem.to_owned());
+        }
         pass = divisor.bind(pass);
-        if matches!(demodulate.albedo, Albedo::Specular | Albedo::Mixed) {
+        if matches!(demodulate.albedo, Albedo::Specular | Albedo::Mixed | Albedo::Each) {
             pass = pass.bind("specular_hit_distance", self.input(Input::SPECULAR_HIT_DISTANCE));
         }
         if let Some(kept) = kept {
@@ -122,8 +146,9 @@ impl Graph {
         }
         self.add(pass);
         let irradiance = self.renewed(&irradiance);
-        let Some(samples) = demodulate.samples.filter(|_| divisor.albedo.is_some()) else { return irradiance };
-        self.sample_albedo(guides, &irradiance, divisor, &samples);
+        if let (Some(samples), Some((divided, divisor))) = (demodulate.samples, divisor.of_divided(&irradiance)) {
+            self.sample_albedo(guides, &divided, divisor, &samples);
+        }
         self.renewed(&irradiance)
     }
 }

@@ -178,6 +178,21 @@ pub(crate) fn demodulate(frame: &FrameConstants, tuning: &Tuning, inputs: &Demod
     DemodulateOutputs { irradiance, statistics }
 }
 
+/// [`demodulate`] of two signals, the first by `inputs.albedo` and the second, which is specular light, by `specular_albedo`.
+pub(crate) fn of_each(
+    frame: &FrameConstants,
+    tuning: &Tuning,
+    inputs: &DemodulateInputs,
+    specular_albedo: Option<&Image<[f32; 4]>>,
+) -> DemodulateOutputs {
+    let (first, second) = inputs.noisy.split_at(1);
+    let diffuse = DemodulateInputs { noisy: first, specular_f0: None, specular_hit_distance: None, ..*inputs };
+    let mut outputs = demodulate(frame, tuning, &diffuse);
+    let specular = demodulate(frame, tuning, &DemodulateInputs { noisy: second, albedo: specular_albedo, ..*inputs });
+    outputs.irradiance.extend(specular.irradiance);
+    DemodulateOutputs { statistics: outputs.statistics.plus(&specular.statistics), ..outputs }
+}
+
 /// Luminance of the radiance of all signals, if it is known, and of the albedo, of every pixel: of these temporal gradients are made
 /// \[ASVGF\] 3.3.
 pub(crate) fn luminances(
@@ -235,7 +250,8 @@ pub(crate) const RULES: &[Rule] = &[
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let noisy = b.colours("noisy")?;
-    let albedo = with_coat(b.optional_colour("albedo")?, b.optional_colour("specular_albedo")?);
+    let coat = if b.is_on("SPECULAR")? { None } else { b.optional_colour("specular_albedo")? };
+    let albedo = with_coat(b.optional_colour("albedo")?, coat);
     let inputs = DemodulateInputs {
         guide: b.packed("guide")?,
         depth_gradient: b.uint("depth_gradient")?,
@@ -245,7 +261,10 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         specular_hit_distance: b.optional_colour("specular_hit_distance")?,
         is_sub_sampled: b.is_on("SAMPLING")?,
     };
-    let outputs = demodulate(b.frame, b.tuning, &inputs);
+    let outputs = match b.is_on("SPECULAR")? {
+        true => of_each(b.frame, b.tuning, &inputs, b.optional_colour("specular_albedo")?),
+        false => demodulate(b.frame, b.tuning, &inputs),
+    };
     b.count(&outputs.statistics)?;
     b.write_signals("irradiance", outputs.irradiance)?;
     if b.has("noisy_luminance") {

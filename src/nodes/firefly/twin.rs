@@ -2,7 +2,7 @@
 //! spread over their block.
 
 use crate::nodes::block_difference::twin::{difference_from_history, DIFFERENCE};
-use crate::nodes::firefly_limits::twin::{limit_at, Limit};
+use crate::nodes::firefly_limits::twin::{limit_at, limits_of_pass, Limit, LIMITS};
 use crate::reference::binary16::store;
 use crate::reference::bindings::Bindings;
 use crate::reference::blocks::{allocated_blocks, block_of, Blocks, BLOCK_SIZE};
@@ -84,20 +84,21 @@ fn kept_share(l: f32, limit: &Limit) -> f32 {
 }
 
 /// How what it writes is compared with the GPU.
-pub(crate) const RULES: &[Rule] = &[pixels("irradiance", HALF), rounded("irradiance"), DIFFERENCE];
+pub(crate) const RULES: &[Rule] = &[pixels("irradiance", HALF), rounded("irradiance"), DIFFERENCE, LIMITS];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
-    let inputs = FireflyInputs {
-        guide: if b.is_on("VOLUME")? { None } else { Some(b.packed("guide")?) },
-        firefly_limits: b.uint("firefly_limits")?,
-        irradiance: b.colour("irradiance")?,
-    };
-    let filtered = firefly(b.frame, b.tuning, &inputs);
-    if b.has("block_difference") {
-        let differences = difference_from_history(b, &filtered)?;
-        b.write("block_difference", differences)?;
+    let guide = if b.is_on("VOLUME")? { None } else { Some(b.packed("guide")?) };
+    let irradiance = b.colour("irradiance")?;
+    if !b.has("block_difference") {
+        let inputs = FireflyInputs { guide, firefly_limits: b.uint("firefly_limits")?, irradiance };
+        return b.write("irradiance", firefly(b.frame, b.tuning, &inputs));
     }
+    let limits = limits_of_pass(b)?;
+    let filtered = firefly(b.frame, b.tuning, &FireflyInputs { guide, firefly_limits: &limits, irradiance });
+    let differences = difference_from_history(b, &filtered)?;
+    b.write("firefly_limits", limits)?;
+    b.write("block_difference", differences)?;
     b.write("irradiance", filtered)
 }
 

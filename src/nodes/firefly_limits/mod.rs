@@ -39,6 +39,11 @@ impl Graph {
         self.limits_of(port, percentiles, Lifetime::Transient, |pass, _| pass)
     }
 
+    /// Limits of a signal.
+    pub(super) fn limits_image(&mut self, label: &str, lifetime: Lifetime) -> Image {
+        self.named_image("firefly_limits", label, PACKED_32, CELL_SIZE, lifetime)
+    }
+
     fn limits_of<K>(
         &mut self,
         port: &Port<K>,
@@ -58,7 +63,7 @@ impl Graph {
         for (percentiles, irradiance) in percentiles.images().iter().zip(port.images()) {
             let label = self.label(*percentiles).to_owned();
             let node = self.node("firefly_limits", &label);
-            let limits = self.named_image("firefly_limits", &label, PACKED_32, CELL_SIZE, lifetime);
+            let limits = self.limits_image(&label, lifetime);
             let pass = pass(&node, shader)
                 .grid(Grid::Columns(BLOCK_SIZE))
                 .bind("block_percentiles", *percentiles)

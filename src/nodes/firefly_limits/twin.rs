@@ -140,16 +140,23 @@ fn returning_before(
 }
 
 /// How what it writes is compared with the GPU.
-pub(crate) const RULES: &[Rule] = &[rule("firefly_limits", Unit::Cell, Reading::Halves, HALF)];
+pub(crate) const RULES: &[Rule] = &[LIMITS];
 
-/// Runs the stage on the bindings of a pass.
-pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
+pub(crate) const LIMITS: Rule = rule("firefly_limits", Unit::Cell, Reading::Halves, HALF);
+
+/// The limits by what a pass binds.
+pub(crate) fn limits_of_pass(b: &Bindings) -> Result<Image<u32>, Error> {
     let history = match b.has("previous_firefly_limits") {
         true => Some((HistoryGuides::of(b)?, b.uint("previous_firefly_limits")?)),
         false => None,
     };
     let (block_percentiles, irradiance) = (b.uint("block_percentiles")?, b.colour("irradiance")?);
-    let limits = firefly_limits(b.frame, b.tuning, &FireflyLimitsInputs { block_percentiles, irradiance, history });
+    Ok(firefly_limits(b.frame, b.tuning, &FireflyLimitsInputs { block_percentiles, irradiance, history }))
+}
+
+/// Runs the stage on the bindings of a pass.
+pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let limits = limits_of_pass(b)?;
     b.write("firefly_limits", limits)
 }
 

@@ -73,22 +73,37 @@ pub(crate) fn sample_albedo(frame: &FrameConstants, stratum_size: u32, inputs: &
 }
 
 /// How what it writes is compared with the GPU.
-pub(crate) const RULES: &[Rule] = &[pixels("irradiance_0", HALF), pixels("irradiance_1", HALF), strata("candidate_albedo", HALF)];
+pub(crate) const RULES: &[Rule] = &[
+    pixels("irradiance_0", HALF),
+    pixels("irradiance_1", HALF),
+    strata("candidate_albedo_0", HALF),
+    strata("candidate_albedo_1", HALF),
+];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
-    let albedo = with_coat(b.optional_colour("albedo")?, b.optional_colour("specular_albedo")?);
-    let inputs = SampleAlbedoInputs {
+    let (albedo, specular_albedo) = (b.optional_colour("albedo")?, b.optional_colour("specular_albedo")?);
+    let (is_of_each, specular_f0, size) = (b.is_on("SPECULAR")?, b.optional_colour("specular_f0")?, b.stratum_size()?);
+    let (irradiance, albedo) = (b.colours("irradiance")?, with_coat(albedo, specular_albedo.filter(|_| !is_of_each)));
+    let first = SampleAlbedoInputs {
         guide: b.packed("guide")?,
         gradient_samples: b.packed("gradient_samples")?,
         candidates: b.packed("candidates")?,
-        previous_candidate_albedo: b.optional_colour("previous_candidate_albedo")?,
-        irradiance: &b.colours("irradiance")?,
+        previous_candidate_albedo: b.optional_colour("previous_candidate_albedo_0")?,
+        irradiance: if is_of_each { &irradiance[..1] } else { &irradiance },
         albedo: albedo.as_deref(),
-        specular_f0: b.optional_colour("specular_f0")?,
+        specular_f0: specular_f0.filter(|_| !is_of_each),
     };
-    let outputs = sample_albedo(b.frame, b.stratum_size()?, &inputs);
-    b.write("candidate_albedo", outputs.candidate_albedo)?;
+    let mut outputs = sample_albedo(b.frame, size, &first);
+    if is_of_each {
+        let previous_candidate_albedo = b.optional_colour("previous_candidate_albedo_1")?;
+        let irradiance = &irradiance[1..];
+        let second = SampleAlbedoInputs { previous_candidate_albedo, irradiance, albedo: specular_albedo, specular_f0, ..first };
+        let specular = sample_albedo(b.frame, size, &second);
+        b.write("candidate_albedo_1", specular.candidate_albedo)?;
+        outputs.irradiance.extend(specular.irradiance);
+    }
+    b.write("candidate_albedo_0", outputs.candidate_albedo)?;
     b.write_signals("irradiance", outputs.irradiance)
 }
 
