@@ -197,7 +197,7 @@ void write(ivec2 p, Neighbourhood around) {
             vec2 wider = extent_ratio(frame.output_extent, frame.previous_output_extent);
             past = min(before.weight * wider.x * wider.y, past_limit(moved));
             vec4 now = mix(around.first, around.later, min(past, 1.0)) * (around.weight + LEAST_WEIGHT);
-            vec4 sum = now + past * evenness(history) * vec4(history, 1.0);
+            vec4 sum = now + past * share_of(history) * vec4(history, 1.0);
             colour = sum.rgb / sum.a;
         }
     }

@@ -8,8 +8,11 @@
 const int COLUMN = 2;
 const int ROWS = COLUMN + 2;
 
-// Sharpness of the Gaussian of samples: of a first picture, by squared rendered pixels; of one with a past, by squared pixels of the output.
+// Sharpness of the Gaussian of samples of a first picture, by squared rendered pixels.
 const float SHARPNESS = 2.29;
+// That of one with a past, by the product of distances in rendered pixels and in those of the output: where every frame has a sample in the
+// pixel, wider ones would bring in what lies beside it.
+const float LATER_SHARPNESS = 4.58;
 // That of the light around and of the box which clips the past, by squared rendered pixels.
 const float BOX_SHARPNESS = 0.5;
 // Share of the first one's that every later picture has, since few pixels of the output have a sample close by.
@@ -44,6 +47,9 @@ float brightest_sample() { return SHOWN && push.tone_curve == CURVE_LINEAR ? min
 // A bright sample counts less [Karis 2014]: as if means were taken of c/(1 + luminance).
 float evenness(vec3 c) { return 1.0 / (1.0 + steepness() * luminance(c)); }
 
+// What a colour counts in means: of radiance they are those of the pixel, or edges of lamps would lose their light.
+float share_of(vec3 c) { return SHOWN ? evenness(c) : 1.0; }
+
 struct Sample {
     vec3 radiance;    // in the filter's exposure
     vec3 irradiance;
@@ -63,7 +69,7 @@ Sample sample_at(ivec2 q) {
 }
 
 struct Neighbourhood {
-    vec4 first, later;     // colour times evenness, and evenness: for a first picture and for one with a past
+    vec4 first, later;     // colour times its share, and the share: for a first picture and for one with a past
     float weight;          // of the samples close by
     vec3 light;            // irradiance around
     vec3 mean, deviation;  // YCoCg of colours times evenness
@@ -86,7 +92,7 @@ struct Weight {
 Weight weight_of(int q, int middle, float centre, float jitter, float scale, int extent) {
     float d = float(middle) + 0.5 + jitter - centre + float(q - middle), narrow = d * scale;
     float counts = abs(q - middle) <= 1 && q >= 0 && q < extent ? 1.0 : 0.0;
-    return Weight(counts * exp(-SHARPNESS * d * d), counts * exp(-SHARPNESS * narrow * narrow), counts * exp(-BOX_SHARPNESS * d * d));
+    return Weight(counts * exp(-SHARPNESS * d * d), counts * exp(-LATER_SHARPNESS * d * narrow), counts * exp(-BOX_SHARPNESS * d * d));
 }
 
 // Weighted sums over samples.
@@ -119,10 +125,10 @@ void add(inout Sums sums, Weight w, Sums of) {
 // One sample, its moments around a pivot.
 Sums sums_of(ivec2 q, vec3 pivot) {
     Sample s = sample_at(q);
-    vec4 even = vec4(s.radiance, 1.0) * evenness(s.radiance);
-    vec3 c = ycocg(even.rgb) - pivot;
+    vec4 counted = vec4(s.radiance, 1.0) * share_of(s.radiance);
+    vec3 c = ycocg(s.radiance * evenness(s.radiance)) - pivot;
     vec4 light = vec4(s.irradiance, 1.0) / (1.0 + luminance(s.irradiance));
-    return Sums(even, even, light, c, c * c, Weight(1.0, 1.0, 1.0), s.depth, q);
+    return Sums(counted, counted, light, c, c * c, Weight(1.0, 1.0, 1.0), s.depth, q);
 }
 
 Neighbourhood neighbourhood(Sums sums, vec3 pivot) {

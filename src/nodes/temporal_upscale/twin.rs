@@ -20,8 +20,10 @@ use glam::{IVec2, Vec2, Vec3, Vec4};
 #[cfg(test)]
 mod tests;
 
-/// Sharpness of the Gaussian of samples: of a first picture, by squared rendered pixels; of one with a past, by squared pixels of the output.
+/// Sharpness of the Gaussian of samples of a first picture, by squared rendered pixels.
 const SHARPNESS: f32 = 2.29;
+/// That of one with a past, by the product of distances in rendered pixels and in those of the output.
+const LATER_SHARPNESS: f32 = 4.58;
 /// Sharpness of that of the light around and of the box which clips the past, by squared rendered pixels.
 const BOX_SHARPNESS: f32 = 0.5;
 /// Share of the first picture in every later one.
@@ -72,6 +74,15 @@ impl Shown {
     /// A bright sample counts less \[Karis 2014\]: means are taken of `c·evenness(c)`, which is below 1.
     fn evenness(self, c: Vec3) -> f32 {
         1.0 / (1.0 + self.steepness * luminance(c.to_array()))
+    }
+
+    /// What a colour counts in means: of radiance they are those of the pixel, or edges of lamps would lose their light.
+    fn share(self, c: Vec3) -> f32 {
+        if self.divides {
+            1.0
+        } else {
+            self.evenness(c)
+        }
     }
 }
 
@@ -147,7 +158,7 @@ struct Sample {
 /// Sums over the samples around a pixel of the output.
 #[derive(Clone, Copy, Debug)]
 struct Neighbourhood {
-    /// Compressed colour of a first picture, with its evenness.
+    /// Colour of a first picture times its share, with the share.
     first: Vec4,
     /// That of one with a past.
     later: Vec4,
@@ -220,7 +231,7 @@ impl<'a> Scene<'a> {
         let around = self.neighbourhood(p);
         let is_motion_bad = self.previous.is_some() && self.motion.at(self.frame, around.nearest, around.depth).is_bad;
         let (past, weight) = match self.past(p, &around) {
-            Some((history, past)) => (history.extend(1.0) * self.shown.evenness(history) * past, past),
+            Some((history, past)) => (history.extend(1.0) * self.shown.share(history) * past, past),
             None => (Vec4::ZERO, 0.0),
         };
         // Only a picture with a past can be made of samples that are close by.
@@ -253,12 +264,12 @@ impl<'a> Scene<'a> {
             })
         };
         for (q, distance, s) in taps() {
-            let compressed = s.radiance.extend(1.0) * self.shown.evenness(s.radiance);
+            let shared = s.radiance.extend(1.0) * self.shown.share(s.radiance);
             let wide = (-SHARPNESS * distance.length_squared()).exp();
-            let narrow = (-SHARPNESS * (distance * scale).length_squared()).exp();
-            first += wide * compressed;
+            let narrow = (-LATER_SHARPNESS * distance.dot(distance * scale)).exp();
+            first += wide * shared;
             total += wide;
-            later += narrow * compressed;
+            later += narrow * shared;
             weight += narrow;
             if !s.surface.is_background() && s.surface.linear_depth < depth {
                 (nearest, depth) = (q, s.surface.linear_depth);

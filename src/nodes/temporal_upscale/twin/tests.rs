@@ -440,6 +440,16 @@ fn an_edge_of_a_lamp_is_as_smooth_as_a_display_shows_it() {
 }
 
 #[test]
+fn radiance_at_an_edge_of_a_lamp_is_that_of_the_pixel() {
+    let extent = [20, 16];
+    let lamp = |s: Vec2| if s.y < 6.3 + 0.17 * s.x { 20.0 } else { 0.2 };
+    let pictures = gathered(extent, true, |_| extent, lamp);
+    let shown = |picture: &Image<[f32; 4]>| picture.map(|c| [c[0] / (1.0 + c[0]); 4]);
+    let error = rmse(&shown(&pictures[47]), &shown(&reference(extent, lamp)));
+    assert!(error < 0.04, "{error}");
+}
+
+#[test]
 fn a_dark_thing_beside_a_lamp_keeps_its_light() {
     let lamp = |x: i32| if x < 6 { 50.0 } else { 0.05 };
     let mut scene = flat(EXTENT);
