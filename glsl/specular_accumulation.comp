@@ -161,11 +161,15 @@ const float FEWEST_TELLING = 6.0;
 // Variance of a past of one frame beside that of a sample, both as logarithms.
 const float PAST_NOISE = 0.35;
 
+// Of the difference between the reach of a past and that of a pixel, whose own may be chance at an edge.
+const float OWN_DIFFERENCE = 0.25;
+
 // What the past holds at one position.
 struct Past {
     bool found;
     float frames;
     float nearness;  // mean of hit distance / (depth + hit distance)
+    float reach;     // the same, 1 where the hit distance is unknown
     float roughness;
     float image_share;  // as unpack_image_share
     History light;
@@ -178,23 +182,34 @@ Centre centre_of(ivec2 p, GuideBits packed, float origin) {
     return Centre(mirror_at(p, packed, m.motion), guide_depth(packed), expected, origin);
 }
 
-// Hit distance of this frame, over as many of 3x3 pixels as the lobe blurs.
-float hit_distance_now(Centre c, float own, float roughness) {
-    float radius = lobe_radius(c.depth, Reflection(own, roughness));
-    // Of a tap one pixel away.
-    float weight_aside = exp2(-min(1.0 / max(radius * radius, 1e-6), 64.0));
+// As nearness_of, where what nobody knows may be beyond the scene.
+float reach_of(float linear_depth, float hit_distance) { return hit_distance > 0.0 ? nearness_of(linear_depth, hit_distance) : 1.0; }
+
+// Weight of a hit distance one pixel away, by the radius of its lobe.
+float weight_aside(float radius) { return exp2(-min(1.0 / max(radius * radius, 1e-6), 64.0)); }
+
+// Hit distance of this frame, over as many of 3x3 pixels as the lobe blurs. `own`: negative where there is no sample. `reaches`: the least and the
+// greatest there.
+float hit_distance_now(Centre c, float own, float roughness, out vec2 reaches) {
+    float own_weight_aside = weight_aside(lobe_radius(c.depth, Reflection(max(own, 0.0), roughness)));
     vec2 sum = vec2(0.0);
+    reaches = vec2(1.0, 0.0);
     // Registers are scarce here: unrolled, its taps would all be in flight at once.
     [[dont_unroll]] for (int y = -1; y <= 1; ++y)
         [[dont_unroll]] for (int x = -1; x <= 1; ++x) {
             ivec2 q = c.mirror.p + ivec2(x, y), tap = nearest_inside(q);
-            float distance = texelFetch(noisy, tap, 0).a;
-            GuideBits packed = GuideBits(packed_at(guide, tap));
-            bool same = q == tap && distance > 0.0 && guide_depth(packed) != 0.0 && guide_id(packed) == guide_id(c.mirror.packed);
-            float weight = same ? (x == 0 ? 1.0 : weight_aside) * (y == 0 ? 1.0 : weight_aside) : 0.0;
-            sum += weight * vec2(nearness_of(guide_depth(packed), distance), 1.0);
+            float distance = texelFetch(noisy, tap, 0).a, depth = guide_depth(GuideBits(packed_at(guide, tap)));
+            if (q != tap || distance < 0.0 || depth == 0.0 || guide_id(GuideBits(packed_at(guide, tap))) != guide_id(c.mirror.packed)) continue;
+            float reach = reach_of(depth, distance);
+            reaches = vec2(min(reaches.x, reach), max(reaches.y, reach));
+            if (distance == 0.0) continue;
+            // A mirror that shows nothing of known distance does not show what is seen beside it.
+            float aside = own != 0.0 ? own_weight_aside : weight_aside(lobe_radius(depth, Reflection(distance, roughness)));
+            float weight = (x == 0 ? 1.0 : aside) * (y == 0 ? 1.0 : aside);
+            sum += weight * vec2(reach, 1.0);
         }
-    return sum.y > 0.0 ? hit_distance_of(c.depth, sum.x / sum.y) : 0.0;
+    if (reaches.x > reaches.y) reaches = vec2(0.0, 1.0);
+    return sum.y > SMALLEST_WEIGHT_SUM ? hit_distance_of(c.depth, sum.x / sum.y) : 0.0;
 }
 
 // Of a pixel that may lie far from where the surface was: on its plane.
@@ -208,7 +223,7 @@ bool is_same_surface(Centre c, ivec2 tap) {
     return surface_refusal(packed, there, slack) == REASON_NONE && normal_refusal(guide_normal(packed), there) == REASON_NONE;
 }
 
-Past nothing() { return Past(false, 0.0, 0.0, 0.0, 0.0, History(vec3(0.0), 0.0, 0.0)); }
+Past nothing() { return Past(false, 0.0, 0.0, 0.0, 0.0, 0.0, History(vec3(0.0), 0.0, 0.0)); }
 
 // The tested 2x2 taps around a position, as a mean.
 Past past_at(Centre c, vec2 position) {
@@ -226,6 +241,7 @@ Past past_at(Centre c, vec2 position) {
         weights += weight;
         sum.frames += weight * m.history_length;
         sum.nearness += weight * nearness_of(c.depth, r.hit_distance);
+        sum.reach += weight * reach_of(c.depth, r.hit_distance);
         sum.roughness += weight * r.roughness;
         sum.image_share += weight * (image_share == NO_PAST ? CHANCE_AT_FIRST : image_share);
         add_history(sum.light, texelFetch(history, tap, 0).rgb, m, c.origin, weight);
@@ -233,7 +249,7 @@ Past past_at(Centre c, vec2 position) {
     if (weights < SMALLEST_WEIGHT_SUM) return nothing();
     float scale = 1.0 / weights;
     History light = History(sum.light.irradiance * scale, sum.light.mean * scale, sum.light.second_moment * scale);
-    return Past(true, sum.frames * scale, sum.nearness * scale, sum.roughness * scale, sum.image_share * scale, light);
+    return Past(true, sum.frames * scale, sum.nearness * scale, sum.reach * scale, sum.roughness * scale, sum.image_share * scale, light);
 }
 
 // Irradiance by the cubic; false where one of 4x4 taps that count is another surface, or the position lies on a pixel.
@@ -265,6 +281,13 @@ bool is_in_lobe(vec2 position, vec3 thing, float roughness) {
     // Normals of the guide are rounded to half a degree, and a mirror doubles that.
     float tolerance = 0.06 + 2.0 * lobe_width(roughness);
     return dot(difference, difference) <= tolerance * tolerance;
+}
+
+// By how much the reach of a past lies outside of what is seen now, or a part of how much it differs from that of the pixel alone, beside what
+// is small for the lobe: another thing is seen there.
+float other_thing(Past past, float here, vec2 reaches, float roughness) {
+    float outside = max(max(reaches.x - past.reach, past.reach - reaches.y), OWN_DIFFERENCE * abs(here - past.reach));
+    return max(outside, 0.0) * mirror_share(roughness) / (0.05 + lobe_width(roughness));
 }
 
 // Frames that a past is worth whose content is `error` pixels off in each of them.
@@ -408,8 +431,8 @@ float image_chance(Centre c, bool moves, vec2 image_position, Past surface) {
 Past mixed(Past a, Past b, float share) {
     History light = History(mix(a.light.irradiance, b.light.irradiance, share), mix(a.light.mean, b.light.mean, share),
                             mix(a.light.second_moment, b.light.second_moment, share));
-    return Past(true, mix(a.frames, b.frames, share), mix(a.nearness, b.nearness, share), mix(a.roughness, b.roughness, share),
-                mix(a.image_share, b.image_share, share), light);
+    return Past(true, mix(a.frames, b.frames, share), mix(a.nearness, b.nearness, share), mix(a.reach, b.reach, share),
+                mix(a.roughness, b.roughness, share), mix(a.image_share, b.image_share, share), light);
 }
 
 // How sure it is that a past shows what is seen now, at most 1: of a mirror, whose image was followed, and of a picture that stands still before
@@ -424,9 +447,10 @@ float steadiness_of(Centre c, float radius, vec2 image_position) {
 }
 
 // The better of two pasts, or a blend of both, in the light of this frame; its frames are what it is worth. `hit_distance`: of this frame, then with its past.
-// `image_share`: of the blend, from where the image was; how likely that is where nobody knows the distance. `steadiness`: see steadiness_of.
-Past best_past(Centre c, float roughness, float explained, inout float hit_distance, out float image_share, out float steadiness) {
+// `reaches`: see hit_distance_now. `image_share`: of the blend, from where the image was; how likely that is where nobody knows the distance. `steadiness`: see steadiness_of.
+Past best_past(Centre c, float roughness, float explained, vec2 reaches, inout float hit_distance, out float image_share, out float steadiness) {
     Past surface = past_at(c, c.mirror.surface_position);
+    float here = reach_of(c.depth, hit_distance);
     float radius = lobe_radius(c.depth, Reflection(hit_distance, roughness));
     bool is_known = hit_distance > 0.0;
     if (surface.found && surface.nearness > 0.0 && is_known) {
@@ -482,6 +506,8 @@ Past best_past(Centre c, float roughness, float explained, inout float hit_dista
         if (surface.found) surface.frames = (both ? 1.0 - chance : 1.0) * frames_by_light(c, c.mirror.surface_position, surface, AGREES_WIDEST, true);
         if (image.found) image.frames = (both ? chance : 1.0) * frames_by_light(c, position, image, AGREES_WIDEST, true);
     }
+    if (surface.found && !MIXED) surface.frames = worth(surface.frames, other_thing(surface, here, reaches, roughness), 2.0);
+    if (image.found && by_light) image.frames = worth(image.frames, other_thing(image, here, reaches, roughness), 2.0);
     if (image.found && is_known) {
         vec2 remembered = position;
         vec3 image_there = vec3(before.image.xy, hit_distance_of(c.depth, image.nearness));
@@ -545,12 +571,13 @@ void main() {
     if (MIXED && is_present(MATERIAL_CLASS) && !background && !is_class(class_at(p))) count_bad(BAD_MATERIAL_CLASS);
     if (!background) {
         Centre c = centre_of(p, packed, luminance_origin(value.rgb));
-        seen.hit_distance = hit_distance_now(c, max(value.a, 0.0), rough);
+        vec2 reaches;
+        seen.hit_distance = hit_distance_now(c, value.a, rough, reaches);
         float explained = MIXED ? explained_share(p) : 1.0;
         if (MIXED) seen.roughness = mixed_roughness(c.depth, seen, explained);
         if (!has_flag(FLAG_RESET)) {
             float share, steadiness;
-            Past past = best_past(c, seen.roughness, explained, seen.hit_distance, share, steadiness);
+            Past past = best_past(c, seen.roughness, explained, reaches, seen.hit_distance, share, steadiness);
             luminance_history = first_luminance(value.rgb, worth, REASON_DEPTH);
             if (past.found) {
                 image_share = share;

@@ -98,6 +98,15 @@ pub(crate) fn nearness(linear_depth: f32, hit_distance: f32) -> f32 {
     hit_distance / (linear_depth + hit_distance).max(1e-20)
 }
 
+/// As [`nearness`], where what nobody knows may be beyond the scene.
+pub(crate) fn reach(linear_depth: f32, hit_distance: f32) -> f32 {
+    if hit_distance > 0.0 {
+        nearness(linear_depth, hit_distance)
+    } else {
+        1.0
+    }
+}
+
 /// The opposite of [`nearness`].
 pub(crate) fn hit_distance_of(linear_depth: f32, nearness: f32) -> f32 {
     if nearness > 0.0 {

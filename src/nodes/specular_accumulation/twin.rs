@@ -1,7 +1,7 @@
 //! The stage `specular_accumulation`: specular irradiance blended with what was seen in the surface before.
 
 use crate::nodes::demodulate::twin::reflectance;
-use crate::nodes::temporal_accumulation::twin::{blend, fresh, AlphaBounds, Reprojected};
+use crate::nodes::temporal_accumulation::twin::{blend, fresh, AlphaBounds, Reprojected, SMALLEST_WEIGHT_SUM};
 use crate::reference::binary16::LARGEST_HALF;
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
@@ -11,7 +11,7 @@ use crate::reference::luminance::{luminance, texel_luminance};
 use crate::reference::luminance_history::{pack_luminance_history, split_luminance_history, LuminanceHistory, Reason};
 use crate::reference::material::{classes_beyond, tuning_at};
 use crate::reference::reflection::{
-    hit_distance_of, lobe_radius, mixed_roughness, nearness, pack_reflection, roughness_of, SeenReflection,
+    hit_distance_of, lobe_radius, mixed_roughness, pack_reflection, reach, roughness_of, SeenReflection,
 };
 use crate::reference::rules::{pixels, rule, STATISTICS};
 use crate::reference::scenery::Instances;
@@ -162,7 +162,8 @@ impl Scene<'_> {
             return with(fresh(noisy, Reason::None), SeenReflection { hit_distance: 0.0, roughness }, None);
         }
         let c = self.centre(p, surface);
-        let mut seen = SeenReflection { hit_distance: self.hit_distance_now(&c, own_distance.max(0.0), roughness), roughness };
+        let (hit_distance, reaches) = self.hit_distance_now(&c, own_distance, roughness);
+        let mut seen = SeenReflection { hit_distance, roughness };
         let explained = if self.inputs.is_mixed { self.explained_share(p) } else { 1.0 };
         if self.inputs.is_mixed {
             seen.roughness = mixed_roughness(self.frame, surface.linear_depth, seen, explained);
@@ -170,7 +171,7 @@ impl Scene<'_> {
         if is_reset(self.frame) {
             return with(fresh(noisy, Reason::Reset), seen, None);
         }
-        let best = self.best_past(&c, &mut seen, explained);
+        let best = self.best_past(&c, &mut seen, reaches, explained);
         let (texel, luminance_history) = best.as_ref().map_or(fresh(noisy, Reason::Depth), |best| self.blend(p, noisy, best));
         let instances = &self.inputs.instances;
         let is_bad = [
@@ -205,24 +206,32 @@ impl Scene<'_> {
         }
     }
 
-    /// Hit distance of this frame, over as many of 3×3 pixels as the lobe blurs.
-    fn hit_distance_now(&self, c: &Centre, own: f32, roughness: f32) -> f32 {
-        let radius = lobe_radius(self.frame, c.mirror.surface.linear_depth, SeenReflection { hit_distance: own, roughness });
-        let sharpness = (1.0 / (radius * radius).max(1e-6)).min(64.0);
-        let (mut sum, mut weights) = (0.0, 0.0);
+    /// Hit distance of this frame, over as many of 3×3 pixels as the lobe blurs, with the least and the greatest reach there. `own`: negative
+    /// where there is no sample.
+    fn hit_distance_now(&self, c: &Centre, own: f32, roughness: f32) -> (f32, [f32; 2]) {
+        let sharpness = |depth, hit_distance| {
+            let radius = lobe_radius(self.frame, depth, SeenReflection { hit_distance, roughness });
+            (1.0 / (radius * radius).max(1e-6)).min(64.0)
+        };
+        let depth = c.mirror.surface.linear_depth;
+        let (mut sum, mut weights, mut reaches) = (0.0, 0.0, [1.0_f32, 0.0]);
         for (offset, q) in self.rect.window(c.mirror.p, 1, 1) {
             let (tap, distance) = (self.motion.surfaces.at(q), self.inputs.noisy.at(q)[3]);
-            if distance > 0.0 && !tap.is_background() && tap.id == c.mirror.surface.id {
+            if distance < 0.0 || tap.is_background() || tap.id != c.mirror.surface.id {
+                continue;
+            }
+            let there = reach(tap.linear_depth, distance);
+            reaches = [reaches[0].min(there), reaches[1].max(there)];
+            if distance > 0.0 {
+                // A mirror that shows nothing of known distance does not show what is seen beside it.
+                let sharpness = if own != 0.0 { sharpness(depth, own.max(0.0)) } else { sharpness(tap.linear_depth, distance) };
                 let weight = (-(offset.length_squared() as f32) * sharpness).exp2();
-                sum += weight * nearness(tap.linear_depth, distance);
+                sum += weight * there;
                 weights += weight;
             }
         }
-        if weights > 0.0 {
-            hit_distance_of(c.mirror.surface.linear_depth, sum / weights)
-        } else {
-            0.0
-        }
+        let distance = if weights > SMALLEST_WEIGHT_SUM { hit_distance_of(depth, sum / weights) } else { 0.0 };
+        (distance, if reaches[0] > reaches[1] { [0.0, 1.0] } else { reaches })
     }
 
     fn blend(&self, p: IVec2, noisy: [f32; 4], best: &BestPast) -> ([f32; 4], LuminanceHistory) {

@@ -9,7 +9,7 @@ use crate::reference::luminance::texel_luminance;
 use crate::reference::luminance_history::unpack_luminance_history;
 use crate::reference::projection::{extent_ratio, previous_surface};
 use crate::reference::reflection::{
-    hit_distance_of, lobe_radius, lobe_width, mirror_image_distance, mirror_share, nearness, unpack_image_share, unpack_reflection,
+    hit_distance_of, lobe_radius, lobe_width, mirror_image_distance, mirror_share, nearness, reach, unpack_image_share, unpack_reflection,
     SeenReflection,
 };
 use crate::reference::render_rect::RenderRect;
@@ -61,6 +61,9 @@ const UNKNOWN_REACH: f32 = 1e4;
 /// The same of the nearest thing that a surface may show.
 const NEAREST_REACH: f32 = 0.125;
 
+/// Of the difference between the reach of a past and that of a pixel, whose own may be chance at an edge.
+const OWN_DIFFERENCE: f32 = 0.25;
+
 /// Mean of what the tested taps hold.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Past {
@@ -68,6 +71,8 @@ pub(super) struct Past {
     pub frames: f32,
     /// Hit distance as a share of the way from the eye.
     pub nearness: f32,
+    /// The same, 1 where the hit distance is unknown.
+    pub reach: f32,
     pub roughness: f32,
     /// See [`unpack_image_share`]; of no past, [`CHANCE_AT_FIRST`].
     pub image_share: f32,
@@ -93,6 +98,7 @@ impl Past {
     fn add(&mut self, tap: &Self, weight: f32) {
         self.frames += weight * tap.frames;
         self.nearness += weight * tap.nearness;
+        self.reach += weight * tap.reach;
         self.roughness += weight * tap.roughness;
         self.image_share += weight * tap.image_share;
         (0..3).for_each(|i| self.irradiance[i] += weight * tap.irradiance[i]);
@@ -106,6 +112,13 @@ impl Past {
         sum.add(other, share);
         sum
     }
+}
+
+/// By how much the reach of a past lies outside of what is seen now, or a part of how much it differs from that of the pixel alone, beside what
+/// is small for the lobe: another thing is seen there.
+fn other_thing(past: &Past, here: f32, reaches: [f32; 2], roughness: f32) -> f32 {
+    let outside = (reaches[0] - past.reach).max(past.reach - reaches[1]).max(OWN_DIFFERENCE * (here - past.reach).abs());
+    outside * mirror_share(roughness) / (0.05 + lobe_width(roughness))
 }
 
 /// Frames that a past is worth whose content is `error` pixels off in each of them.
@@ -161,9 +174,11 @@ fn frames_by_logs(logs: &[(IVec2, [f32; 2])], hits: f32) -> f32 {
 
 impl Scene<'_> {
     /// The better of two pasts, or a blend of both. `seen` is of this frame, then with its past. `explained`: share of the light that
-    /// its lobe explains.
-    pub(super) fn best_past(&self, c: &Centre, seen: &mut SeenReflection, explained: f32) -> Option<BestPast> {
+    /// its lobe explains. `reaches`: the least and the greatest around.
+    pub(super) fn best_past(&self, c: &Centre, seen: &mut SeenReflection, reaches: [f32; 2], explained: f32) -> Option<BestPast> {
         let depth = c.mirror.surface.linear_depth;
+        let here = reach(depth, seen.hit_distance);
+        let roughness = seen.roughness;
         let is_known = seen.hit_distance > 0.0;
         let mut surface = self.past_at(c, c.mirror.surface_position);
         let radius = lobe_radius(self.frame, depth, *seen);
@@ -225,6 +240,9 @@ impl Scene<'_> {
                 let off = (1.0 - mirrored) * moved / SHARPEST + mirrored * from_near(position) / tolerance;
                 past.frames = worth(past.frames, off, 1.0);
             }
+        }
+        for past in surface.iter_mut().filter(|_| !is_mixed).chain(image.iter_mut().filter(|_| by_light)) {
+            past.frames = worth(past.frames, other_thing(past, here, reaches, roughness), 2.0);
         }
         if is_known {
             if let (Some(past), Some(position)) = (&mut image, position) {
@@ -352,6 +370,7 @@ impl Scene<'_> {
         Past {
             frames: luminance_history.history_length,
             nearness: nearness(c.mirror.surface.linear_depth, seen.hit_distance),
+            reach: reach(c.mirror.surface.linear_depth, seen.hit_distance),
             roughness: seen.roughness,
             image_share: unpack_image_share(reflection).unwrap_or(CHANCE_AT_FIRST),
             irradiance: [r, g, b],

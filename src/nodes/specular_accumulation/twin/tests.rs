@@ -424,8 +424,42 @@ fn the_distance_of_a_followed_thing_may_change() {
         let reflection = Image::new(EXTENT, pack_reflection(&SeenReflection { hit_distance: 6.0, roughness: 0.0 }, None));
         unpack_image_share(Wall { reflection, ..wall }.run().reflection.at(IVec2::new(15, 8))).expect("a past")
     };
-    assert!(share(Wall::new(0.0, 4.0, 0.0)) < 0.1);
-    assert!((share(wall_before(still, still)) - 0.5).abs() < 0.01);
+    // Neither past is of what is seen.
+    assert!((share(Wall::new(0.0, 4.0, 0.0)) - 0.5).abs() < 0.01);
+    assert!(share(wall_before(still, still)) > 0.99);
+}
+
+/// Frames that the past of a mirror counts which stands still, by what was seen in it before and what is seen now, by pixel.
+fn still_mirror(roughness: f32, before: f32, now: impl Fn(i32, i32) -> f32) -> f32 {
+    let mut wall = Wall::new(0.0, 4.0, roughness);
+    wall.reflection = Image::new(EXTENT, pack_reflection(&SeenReflection { hit_distance: before, roughness }, None));
+    wall.noisy = paint(EXTENT, |x, y| [0.0, 0.0, 0.0, now(x, y)]);
+    crate::reference::unpack_luminance_history(wall.run().luminance_history.at(IVec2::new(15, 8))).history_length
+}
+
+#[test]
+fn another_thing_in_a_mirror_that_stands_still_drops_the_past() {
+    for (before, now, kept) in [(4.0, 4.0, true), (1.0, 4.0, false), (1.0, 0.0, false), (0.0, 1.0, false), (0.0, 0.0, true), (0.0, FARTHEST, true)] {
+        let frames = still_mirror(0.1, before, |_, _| now);
+        assert_eq!((frames > 900.0, frames < 3.0), (kept, !kept), "{before}, then {now}: {frames}");
+    }
+    // At an edge, either may be seen: as long as both are seen around, a part of the past counts.
+    let at_edge = still_mirror(0.1, 1.0, |x, _| if x > 15 { 1.0 } else { 4.0 });
+    let beyond = still_mirror(0.1, 1.0, |_, _| 4.0);
+    assert!(at_edge - 1.0 > 3.0 * (beyond - 1.0), "{at_edge} {beyond}");
+    // Each sample of a wide lobe meets something else.
+    assert!(still_mirror(1.0, 1.0, |_, _| 4.0) > 900.0);
+}
+
+#[test]
+fn a_mirror_without_a_sample_takes_the_distance_beside_it_and_one_that_shows_nothing_does_not() {
+    let distance = |own| {
+        let mut wall = Wall::new(0.0, 4.0, 0.05);
+        wall.frame = reset(wall.frame);
+        wall.noisy = paint(EXTENT, |x, y| [0.0, 0.0, 0.0, if (x, y) == (15, 8) { own } else { 2.0 }]);
+        unpack_reflection(wall.run().reflection.at(IVec2::new(15, 8))).hit_distance
+    };
+    assert_eq!([-1.0, 0.0, 1.0].map(distance), [2.0, 0.0, 1.0]);
 }
 
 /// Its pixels draw different things.
