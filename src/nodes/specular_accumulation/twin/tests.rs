@@ -439,7 +439,9 @@ fn still_mirror(roughness: f32, before: f32, now: impl Fn(i32, i32) -> f32) -> f
 
 #[test]
 fn another_thing_in_a_mirror_that_stands_still_drops_the_past() {
-    for (before, now, kept) in [(4.0, 4.0, true), (1.0, 4.0, false), (1.0, 0.0, false), (0.0, 1.0, false), (0.0, 0.0, true), (0.0, FARTHEST, true)] {
+    for (before, now, kept) in
+        [(4.0, 4.0, true), (1.0, 4.0, false), (1.0, 0.0, false), (0.0, 1.0, false), (0.0, 0.0, true), (0.0, FARTHEST, true)]
+    {
         let frames = still_mirror(0.1, before, |_, _| now);
         assert_eq!((frames > 900.0, frames < 3.0), (kept, !kept), "{before}, then {now}: {frames}");
     }
