@@ -185,31 +185,32 @@ Centre centre_of(ivec2 p, GuideBits packed, float origin) {
 // As nearness_of, where what nobody knows may be beyond the scene.
 float reach_of(float linear_depth, float hit_distance) { return hit_distance > 0.0 ? nearness_of(linear_depth, hit_distance) : 1.0; }
 
-// Weight of a hit distance one pixel away, by the radius of its lobe.
+// Weight of a hit distance one pixel away, and the least at which a pixel may show what is seen there, by the radius of its lobe.
+const float SMALLEST_ASIDE = 0.01;
 float weight_aside(float radius) { return exp2(-min(1.0 / max(radius * radius, 1e-6), 64.0)); }
 
 // Hit distance of this frame, over as many of 3x3 pixels as the lobe blurs. `own`: negative where there is no sample. `reaches`: the least and the
 // greatest there.
 float hit_distance_now(Centre c, float own, float roughness, out vec2 reaches) {
-    float own_weight_aside = weight_aside(lobe_radius(c.depth, Reflection(max(own, 0.0), roughness)));
+    float aside = weight_aside(lobe_radius(c.depth, Reflection(max(own, 0.0), roughness)));
     vec2 sum = vec2(0.0);
     reaches = vec2(1.0, 0.0);
     // Registers are scarce here: unrolled, its taps would all be in flight at once.
     [[dont_unroll]] for (int y = -1; y <= 1; ++y)
         [[dont_unroll]] for (int x = -1; x <= 1; ++x) {
             ivec2 q = c.mirror.p + ivec2(x, y), tap = nearest_inside(q);
-            float distance = texelFetch(noisy, tap, 0).a, depth = guide_depth(GuideBits(packed_at(guide, tap)));
-            if (q != tap || distance < 0.0 || depth == 0.0 || guide_id(GuideBits(packed_at(guide, tap))) != guide_id(c.mirror.packed)) continue;
-            float reach = reach_of(depth, distance);
-            reaches = vec2(min(reaches.x, reach), max(reaches.y, reach));
-            if (distance == 0.0) continue;
-            // A mirror that shows nothing of known distance does not show what is seen beside it.
-            float aside = own != 0.0 ? own_weight_aside : weight_aside(lobe_radius(depth, Reflection(distance, roughness)));
-            float weight = (x == 0 ? 1.0 : aside) * (y == 0 ? 1.0 : aside);
+            float distance = texelFetch(noisy, tap, 0).a;
+            GuideBits packed = GuideBits(packed_at(guide, tap));
+            bool same = q == tap && distance >= 0.0 && guide_depth(packed) != 0.0 && guide_id(packed) == guide_id(c.mirror.packed);
+            float reach = reach_of(guide_depth(packed), distance);
+            float weight = same && distance > 0.0 ? (x == 0 ? 1.0 : aside) * (y == 0 ? 1.0 : aside) : 0.0;
             sum += weight * vec2(reach, 1.0);
+            reaches = same ? vec2(min(reaches.x, reach), max(reaches.y, reach)) : reaches;
         }
     if (reaches.x > reaches.y) reaches = vec2(0.0, 1.0);
-    return sum.y > SMALLEST_WEIGHT_SUM ? hit_distance_of(c.depth, sum.x / sum.y) : 0.0;
+    float mean = sum.y > 0.0 ? hit_distance_of(c.depth, sum.x / sum.y) : 0.0;
+    // A mirror that shows nothing of known distance does not show what is seen beside it.
+    return own == 0.0 && weight_aside(lobe_radius(c.depth, Reflection(mean, roughness))) < SMALLEST_ASIDE ? 0.0 : mean;
 }
 
 // Of a pixel that may lie far from where the surface was: on its plane.

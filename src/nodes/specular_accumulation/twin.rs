@@ -1,7 +1,7 @@
 //! The stage `specular_accumulation`: specular irradiance blended with what was seen in the surface before.
 
 use crate::nodes::demodulate::twin::reflectance;
-use crate::nodes::temporal_accumulation::twin::{blend, fresh, AlphaBounds, Reprojected, SMALLEST_WEIGHT_SUM};
+use crate::nodes::temporal_accumulation::twin::{blend, fresh, AlphaBounds, Reprojected};
 use crate::reference::binary16::LARGEST_HALF;
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
@@ -79,6 +79,9 @@ pub(crate) struct SpecularAccumulationInputs<'a> {
     /// The previous frame, which is not read in a reset frame.
     pub previous: PreviousSpecular<'a>,
 }
+
+/// The least weight of a hit distance one pixel away at which a pixel may show what is seen there.
+const SMALLEST_ASIDE: f32 = 0.01;
 
 /// Outputs of [`specular_accumulation`].
 #[derive(Clone, Debug, PartialEq)]
@@ -209,11 +212,12 @@ impl Scene<'_> {
     /// Hit distance of this frame, over as many of 3×3 pixels as the lobe blurs, with the least and the greatest reach there. `own`: negative
     /// where there is no sample.
     fn hit_distance_now(&self, c: &Centre, own: f32, roughness: f32) -> (f32, [f32; 2]) {
-        let sharpness = |depth, hit_distance| {
+        let depth = c.mirror.surface.linear_depth;
+        let sharpness = |hit_distance| {
             let radius = lobe_radius(self.frame, depth, SeenReflection { hit_distance, roughness });
             (1.0 / (radius * radius).max(1e-6)).min(64.0)
         };
-        let depth = c.mirror.surface.linear_depth;
+        let own_sharpness = sharpness(own.max(0.0));
         let (mut sum, mut weights, mut reaches) = (0.0, 0.0, [1.0_f32, 0.0]);
         for (offset, q) in self.rect.window(c.mirror.p, 1, 1) {
             let (tap, distance) = (self.motion.surfaces.at(q), self.inputs.noisy.at(q)[3]);
@@ -223,15 +227,15 @@ impl Scene<'_> {
             let there = reach(tap.linear_depth, distance);
             reaches = [reaches[0].min(there), reaches[1].max(there)];
             if distance > 0.0 {
-                // A mirror that shows nothing of known distance does not show what is seen beside it.
-                let sharpness = if own != 0.0 { sharpness(depth, own.max(0.0)) } else { sharpness(tap.linear_depth, distance) };
-                let weight = (-(offset.length_squared() as f32) * sharpness).exp2();
+                let weight = (-(offset.length_squared() as f32) * own_sharpness).exp2();
                 sum += weight * there;
                 weights += weight;
             }
         }
-        let distance = if weights > SMALLEST_WEIGHT_SUM { hit_distance_of(depth, sum / weights) } else { 0.0 };
-        (distance, if reaches[0] > reaches[1] { [0.0, 1.0] } else { reaches })
+        let mean = if weights > 0.0 { hit_distance_of(depth, sum / weights) } else { 0.0 };
+        // A mirror that shows nothing of known distance does not show what is seen beside it.
+        let shows_nothing = own == 0.0 && (-sharpness(mean)).exp2() < SMALLEST_ASIDE;
+        (if shows_nothing { 0.0 } else { mean }, if reaches[0] > reaches[1] { [0.0, 1.0] } else { reaches })
     }
 
     fn blend(&self, p: IVec2, noisy: [f32; 4], best: &BestPast) -> ([f32; 4], LuminanceHistory) {
