@@ -194,6 +194,7 @@ float weight_aside(float radius) { return exp2(-min(1.0 / max(radius * radius, 1
 float hit_distance_now(Centre c, float own, float roughness, out vec2 reaches) {
     float aside = weight_aside(lobe_radius(c.depth, Reflection(max(own, 0.0), roughness)));
     vec2 sum = vec2(0.0);
+    float known = 0.0, unknown = 0.0;
     reaches = vec2(1.0, 0.0);
     // Registers are scarce here: unrolled, its taps would all be in flight at once.
     [[dont_unroll]] for (int y = -1; y <= 1; ++y)
@@ -205,12 +206,14 @@ float hit_distance_now(Centre c, float own, float roughness, out vec2 reaches) {
             float reach = reach_of(guide_depth(packed), distance);
             float weight = same && distance > 0.0 ? (x == 0 ? 1.0 : aside) * (y == 0 ? 1.0 : aside) : 0.0;
             sum += weight * vec2(reach, 1.0);
+            known += float(same && distance > 0.0);
+            unknown += float(same && distance == 0.0);
             reaches = same ? vec2(min(reaches.x, reach), max(reaches.y, reach)) : reaches;
         }
     if (reaches.x > reaches.y) reaches = vec2(0.0, 1.0);
     float mean = sum.y > 0.0 ? hit_distance_of(c.depth, sum.x / sum.y) : 0.0;
-    // A mirror that shows nothing of known distance does not show what is seen beside it.
-    return own == 0.0 && weight_aside(lobe_radius(c.depth, Reflection(mean, roughness))) < SMALLEST_ASIDE ? 0.0 : mean;
+    // A mirror that shows nothing of known distance does not show what is seen beside it, unless that is most of what is around: a bad distance.
+    return own == 0.0 && unknown > known && weight_aside(lobe_radius(c.depth, Reflection(mean, roughness))) < SMALLEST_ASIDE ? 0.0 : mean;
 }
 
 // Of a pixel that may lie far from where the surface was: on its plane.
@@ -448,7 +451,8 @@ float steadiness_of(Centre c, float radius, vec2 image_position) {
 }
 
 // The better of two pasts, or a blend of both, in the light of this frame; its frames are what it is worth. `hit_distance`: of this frame, then with its past.
-// `reaches`: see hit_distance_now. `image_share`: of the blend, from where the image was; how likely that is where nobody knows the distance. `steadiness`: see steadiness_of.
+// `reaches`: see hit_distance_now. `image_share`: of the blend, from where the image was; how likely that is where nobody knows the distance.
+// `steadiness`: see steadiness_of.
 Past best_past(Centre c, float roughness, float explained, vec2 reaches, inout float hit_distance, out float image_share, out float steadiness) {
     Past surface = past_at(c, c.mirror.surface_position);
     float here = reach_of(c.depth, hit_distance);

@@ -219,6 +219,7 @@ impl Scene<'_> {
         };
         let own_sharpness = sharpness(own.max(0.0));
         let (mut sum, mut weights, mut reaches) = (0.0, 0.0, [1.0_f32, 0.0]);
+        let (mut known, mut unknown) = (0, 0);
         for (offset, q) in self.rect.window(c.mirror.p, 1, 1) {
             let (tap, distance) = (self.motion.surfaces.at(q), self.inputs.noisy.at(q)[3]);
             if distance < 0.0 || tap.is_background() || tap.id != c.mirror.surface.id {
@@ -230,11 +231,14 @@ impl Scene<'_> {
                 let weight = (-(offset.length_squared() as f32) * own_sharpness).exp2();
                 sum += weight * there;
                 weights += weight;
+                known += 1;
+            } else {
+                unknown += 1;
             }
         }
         let mean = if weights > 0.0 { hit_distance_of(depth, sum / weights) } else { 0.0 };
-        // A mirror that shows nothing of known distance does not show what is seen beside it.
-        let shows_nothing = own == 0.0 && (-sharpness(mean)).exp2() < SMALLEST_ASIDE;
+        // A mirror that shows nothing of known distance does not show what is seen beside it, unless that is most of what is around: a bad distance.
+        let shows_nothing = own == 0.0 && unknown > known && (-sharpness(mean)).exp2() < SMALLEST_ASIDE;
         (if shows_nothing { 0.0 } else { mean }, if reaches[0] > reaches[1] { [0.0, 1.0] } else { reaches })
     }
 

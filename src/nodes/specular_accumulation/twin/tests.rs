@@ -455,13 +455,19 @@ fn another_thing_in_a_mirror_that_stands_still_drops_the_past() {
 
 #[test]
 fn a_mirror_without_a_sample_takes_the_distance_beside_it_and_one_that_shows_nothing_does_not() {
-    let distance = |own| {
-        let mut wall = Wall::new(0.0, 4.0, 0.05);
-        wall.frame = reset(wall.frame);
-        wall.noisy = paint(EXTENT, |x, y| [0.0, 0.0, 0.0, if (x, y) == (15, 8) { own } else { 2.0 }]);
-        unpack_reflection(wall.run().reflection.at(IVec2::new(15, 8))).hit_distance
+    // Of a pixel with a thing to its right, as it is alone, and with all to its left.
+    let distances = |own| {
+        [15, 0].map(|left| {
+            let mut wall = Wall::new(0.0, 4.0, 0.05);
+            wall.frame = reset(wall.frame);
+            wall.noisy =
+                paint(EXTENT, |x, y| [0.0, 0.0, 0.0, if (left..=15).contains(&x) && (left < 15 || y == 8) { own } else { 2.0 }]);
+            unpack_reflection(wall.run().reflection.at(IVec2::new(15, 8))).hit_distance
+        })
     };
-    assert_eq!([-1.0, 0.0, 1.0].map(distance), [2.0, 0.0, 1.0]);
+    assert_eq!(distances(-1.0), [2.0, 2.0]);
+    assert_eq!(distances(0.0), [2.0, 0.0], "alone it is a bad distance");
+    assert_eq!(distances(1.0), [1.0, 1.0]);
 }
 
 /// Its pixels draw different things.
