@@ -141,14 +141,14 @@ float compressed(float x) { return x / (1.0 + x); }
 
 float change_at(ivec2 p) { return is_present(HISTORY_CONFIDENCE) ? 1.0 - texelFetch(history_confidence, host_pixel(HISTORY_CONFIDENCE, p), 0).x : 0.0; }
 
-float history_length_at(ivec2 p) { return unpack_luminance_history(texelFetch(luminance_history_0, p, 0)).history_length; }
+float history_length_at(ivec2 p) { return unpack_luminance_history(texelFetch(luminance_history_0, p, 0).x).history_length; }
 
 // The signals add up: their means, and as independent ones their variances.
 vec2 mean_and_deviation(ivec2 p) {
-    LuminanceHistory m = unpack_luminance_history(texelFetch(luminance_history_0, p, 0));
+    LuminanceHistory m = unpack_luminance_history(texelFetch(luminance_history_0, p, 0).x);
     vec2 sum = vec2(m.mean, m.deviation * m.deviation);
     if (is_present(MOMENTS_1)) {
-        m = unpack_luminance_history(texelFetch(luminance_history_1, p, 0));
+        m = unpack_luminance_history(texelFetch(luminance_history_1, p, 0).x);
         sum += vec2(m.mean, m.deviation * m.deviation);
     }
     return vec2(sum.x, sqrt(sum.y));
@@ -264,7 +264,7 @@ vec4 shown(ivec2 p, GuideBits packed, uint view) {
     case VIEW_PERCENTILES: return percentiles_at(p);
     case VIEW_FIREFLIES: return fireflies_at(p);
     case VIEW_DISOCCLUSION: {
-        uint reason = min(texelFetch(luminance_history_0, p, 0).w, REASON_RESET);
+        uint reason = min(unpack_luminance_history(texelFetch(luminance_history_0, p, 0).x).reason, REASON_RESET);
         return vec4(from_srgb(REASON_COLOURS[reason]), float(reason));
     }
     case VIEW_MOTION: return coloured_motion(motion_at(p));

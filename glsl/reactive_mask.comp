@@ -38,7 +38,7 @@ layout(set = 0, binding = EMISSION) uniform texture2D emission;
 layout(set = 0, binding = REACTIVE_MASK, rgba16f) uniform writeonly image2D reactive_mask;
 layout(set = 0, binding = 8) uniform utexture2D rendered_guide;
 
-float frames_of(uvec4 packed) { return max(unpack_luminance_history(packed).history_length, 1.0); }
+float frames_of(uint packed) { return max(unpack_luminance_history(packed).history_length, 1.0); }
 
 float depth_at(ivec2 p) { return guide_depth(GuideBits(texelFetch(rendered_guide, p, 0))); }
 
@@ -61,8 +61,8 @@ float new_share(ivec2 at) {
     float z = depth_at(at);
     if (z == 0.0) return 0.0;
     ivec2 p = light_pixel(at, z);
-    float frames = frames_of(texelFetch(luminance_history_0, p, 0));
-    if (is_present(LUMINANCE_HISTORY_1)) frames = min(frames, frames_of(texelFetch(luminance_history_1, p, 0)));
+    float frames = frames_of(texelFetch(luminance_history_0, p, 0).x);
+    if (is_present(LUMINANCE_HISTORY_1)) frames = min(frames, frames_of(texelFetch(luminance_history_1, p, 0).x));
     float change = is_present(HISTORY_CONFIDENCE) ? 1.0 - texelFetch(history_confidence, host_pixel(HISTORY_CONFIDENCE, p), 0).x : 0.0;
     return clamp(max(1.0 / frames, change), 0.0, 1.0);
 }

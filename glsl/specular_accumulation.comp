@@ -238,7 +238,7 @@ Past past_at(Centre c, vec2 position) {
         ivec2 tap = ivec2(centre);
         float weight = tent.x * tent.y;
         if (!(weight > 0.0) || !is_same_surface(c, tap)) continue;
-        LuminanceHistory m = unpack_luminance_history(texelFetch(previous_luminance_history, tap, 0));
+        LuminanceHistory m = unpack_luminance_history(texelFetch(previous_luminance_history, tap, 0).x);
         uint packed = texelFetch(previous_reflection, tap, 0).x;
         Reflection r = unpack_reflection(packed);
         float image_share = unpack_image_share(packed);

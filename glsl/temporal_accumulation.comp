@@ -64,12 +64,12 @@ layout(set = 0, binding = HISTORY_CONFIDENCE) uniform texture2D history_confiden
 layout(set = 0, binding = LIGHT_RATIO) uniform texture2D light_ratio;
 layout(set = 0, binding = MATERIAL_CLASS) uniform utexture2D material_class;
 layout(set = 0, binding = 10) uniform texture2D history_0;
-PACKED_IMAGE(11, previous_luminance_history_0);
+PACKED_IMAGE_32(11, previous_luminance_history_0);
 layout(set = 0, binding = 12, rgba16f) uniform image2D irradiance_0;
 layout(set = 0, binding = 13, r32ui) uniform writeonly uimage2D new_luminance_0;
 #if SIGNALS == 2
 layout(set = 0, binding = 14) uniform texture2D history_1;
-PACKED_IMAGE(15, previous_luminance_history_1);
+PACKED_IMAGE_32(15, previous_luminance_history_1);
 layout(set = 0, binding = 16, rgba16f) uniform image2D irradiance_1;
 layout(set = 0, binding = 17, r32ui) uniform writeonly uimage2D new_luminance_1;
 #endif
@@ -106,12 +106,12 @@ uint refusal(ivec2 tap, Expected expected, float slack) {
 }
 
 void add_tap(inout Gathered sum, ivec2 tap, float weight) {
-    LuminanceHistory m = unpack_luminance_history(packed_at(previous_luminance_history_0, tap));
+    LuminanceHistory m = unpack_luminance_history(packed_at(previous_luminance_history_0, tap).x);
     sum.weight += weight;
     sum.history_lengths[0] += weight * m.history_length;
     add_history(sum.signals[0], texelFetch(history_0, tap, 0).rgb, m, origins[0], weight);
 #if SIGNALS == 2
-    LuminanceHistory m_1 = unpack_luminance_history(packed_at(previous_luminance_history_1, tap));
+    LuminanceHistory m_1 = unpack_luminance_history(packed_at(previous_luminance_history_1, tap).x);
     sum.history_lengths[1] += weight * m_1.history_length;
     add_history(sum.signals[1], texelFetch(history_1, tap, 0).rgb, m_1, origins[1], weight);
 #endif

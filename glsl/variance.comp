@@ -35,12 +35,12 @@ PACKED_IMAGE(1, guide);
 layout(set = 0, binding = 2) uniform utexture2D depth_gradient;
 PACKED_IMAGE_32(3, new_luminance_0);
 layout(set = 0, binding = 4) uniform texture2D irradiance_0;
-layout(set = 0, binding = 5, rgba16ui) uniform writeonly uimage2D luminance_history_0;
+layout(set = 0, binding = 5, r32ui) uniform writeonly uimage2D luminance_history_0;
 layout(set = 0, binding = 6, rgba16f) uniform writeonly image2D estimate_0;
 #if SIGNALS == 2
 PACKED_IMAGE_32(7, new_luminance_1);
 layout(set = 0, binding = 8) uniform texture2D irradiance_1;
-layout(set = 0, binding = 9, rgba16ui) uniform writeonly uimage2D luminance_history_1;
+layout(set = 0, binding = 9, r32ui) uniform writeonly uimage2D luminance_history_1;
 layout(set = 0, binding = 10, rgba16f) uniform writeonly image2D estimate_1;
 #endif
 
@@ -218,13 +218,15 @@ void main() {
     GuideBits packed = GuideBits(packed_at(guide, p));
     bool background = !is_filtered(packed);
     vec4 value_0 = texelFetch(irradiance_0, p, 0);
-    LuminanceHistory m = luminance_history_of(packed_at(new_luminance_0, p).x, value_0.a);
-    imageStore(luminance_history_0, p, pack_luminance_history(m));
+    uint packed_0 = packed_at(new_luminance_0, p).x;
+    LuminanceHistory m = luminance_history_of(packed_0, value_0.a);
+    imageStore(luminance_history_0, p, uvec4(pack_luminance_history(packed_0, value_0.a, p)));
     vec2 means = vec2(m.mean), deviations = vec2(m.deviation), lengths = vec2(m.history_length);
 #if SIGNALS == 2
     vec4 value_1 = texelFetch(irradiance_1, p, 0);
-    LuminanceHistory m_1 = luminance_history_of(packed_at(new_luminance_1, p).x, value_1.a);
-    imageStore(luminance_history_1, p, pack_luminance_history(m_1));
+    uint packed_1 = packed_at(new_luminance_1, p).x;
+    LuminanceHistory m_1 = luminance_history_of(packed_1, value_1.a);
+    imageStore(luminance_history_1, p, uvec4(pack_luminance_history(packed_1, value_1.a, p)));
     means.y = m_1.mean;
     deviations.y = m_1.deviation;
     lengths.y = m_1.history_length;

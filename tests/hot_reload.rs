@@ -1,6 +1,6 @@
 //! Shaders that are replaced while a session runs.
 
-use super::support::{assert_valid, frame, scene::Scene, session};
+use super::support::{assert_valid, frame, luminance_history, scene::Scene, session};
 use atrous::executor::Session;
 use atrous::{Config, Error, FrameConstants, Tuning};
 use atrous_glsl as glsl;
@@ -76,10 +76,7 @@ fn another_shader_changes_the_output_and_keeps_the_history() {
         assert!(whole.iter().any(|t| t[0] > 0.1));
         assert!(!halved.iter().zip(&whole).any(differs), "frame {i} is not {factor} times what it was");
     }
-    let lengths = |s: &mut Session| {
-        s.download("luminance_history_direct").or_else(|_| s.download("luminance_history")).expect("luminance_history")
-    };
-    assert_eq!(lengths(&mut changed), lengths(&mut same));
+    assert_eq!(luminance_history(&mut changed, "luminance_history"), luminance_history(&mut same, "luminance_history"));
     assert_valid();
 }
 

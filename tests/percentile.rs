@@ -1,6 +1,8 @@
 //! The preset `percentile`: light that changes, outliers, pixels without history, and what its parts cost.
 
-use super::support::{assert_valid, frame, rmse, scene::Scene, session, session_with, svgf, svgf_tuning, upload};
+use super::support::{
+    assert_valid, frame, luminance_history, rmse, scene::Scene, session, session_with, svgf, svgf_tuning, upload,
+};
 use atrous::config::{AdaptiveRule, Preset, Signals};
 use atrous::executor::{Session, SessionOptions};
 use atrous::{Config, FrameContext, Tuning};
@@ -77,7 +79,7 @@ fn without_history(s: &mut Session, tuning: &Tuning) -> usize {
     for i in 0..2 {
         frame(s, &scene.frame(i, i), &scene.params(i), tuning);
     }
-    s.download("luminance_history").expect("luminance_history").iter().filter(|m| m[3] != 0.0).count()
+    luminance_history(s, "luminance_history").iter().filter(|m| m.reason != 0).count()
 }
 
 fn repair_finds_history_where_svgf_finds_none() {

@@ -1,6 +1,8 @@
 //! What must hold whatever the picture: see also the CPU twins, which have the same properties.
 
-use super::support::{assert_valid, frame, gpu, pixels, rmse, scene::Scene, session, session_with, svgf, upload};
+use super::support::{
+    assert_valid, frame, gpu, luminance_history, pixels, rmse, scene::Scene, session, session_with, svgf, upload,
+};
 use atrous::config::{Conventions, PostProcess, Preset, Signals};
 use atrous::executor::{AllocatedMemory, Session, SessionOptions};
 use atrous::{Config, FrameParams, ResetReason, Tuning};
@@ -245,8 +247,8 @@ fn the_render_extent_may_change_from_frame_to_frame() {
         let scene = Scene { allocated, ..Scene::new(extent) };
         frame(&mut s, &scene.frame(0, i), &scene.params(0), &Tuning::default());
         if i == 3 {
-            let lengths = s.download("luminance_history").expect("luminance_history");
-            let kept = lengths.iter().filter(|m| half::f16::from_bits(m[2] as u16).to_f32() > 1.0).count();
+            let lengths = luminance_history(&mut s, "luminance_history");
+            let kept = lengths.iter().filter(|m| m.history_length > 1.0).count();
             let surface = scene.frame(0, i).surface_id.iter().filter(|&&id| id != 0).count();
             assert!(kept * 100 > surface * 98, "history of {kept} pixels of {surface} only survived a change of resolution");
         }

@@ -1,11 +1,10 @@
 //! Input with pixels that have no sample, for every preset that filters light: checkerboards, one of 2×2 and of 4×4, half the rate for
 //! one signal alone.
 
-use super::support::{assert_valid, frame, pixels, rmse, scene::Scene, session};
+use super::support::{assert_valid, frame, luminance_history, pixels, rmse, scene::Scene, session};
 use atrous::config::{Preset, Sampling, Signals};
 use atrous::executor::Session;
-use atrous::reference::unpack_luminance_history;
-use atrous::{Config, Tuning, UseFrame};
+use atrous::{Config, Tuning};
 use atrous_harness::DeviceTest;
 
 pub const TESTS: &[DeviceTest] = &[
@@ -58,9 +57,8 @@ fn error(config: &Config, change: impl Fn(u32, &mut super::support::scene::Guide
 /// The mean history length of each of two signals, frames.
 fn history_lengths(mut s: Session) -> [f32; 2] {
     ["luminance_history_direct", "luminance_history_indirect"].map(|name| {
-        let bytes = s.download_bytes(name, UseFrame::Current).expect(name);
-        let texels: &[[u16; 4]] = bytemuck::cast_slice(&bytes);
-        texels.iter().map(|texel| unpack_luminance_history(*texel).history_length).sum::<f32>() / texels.len() as f32
+        let texels = luminance_history(&mut s, name);
+        texels.iter().map(|m| m.history_length).sum::<f32>() / texels.len() as f32
     })
 }
 

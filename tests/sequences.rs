@@ -1,6 +1,6 @@
 //! SVGF over many frames: how much noise goes, how soon it settles, what happens where nothing was seen before.
 
-use super::support::{frame, rmse, scene::Scene, session, svgf, svgf_tuning};
+use super::support::{frame, luminance_history, rmse, scene::Scene, session, svgf, svgf_tuning};
 use atrous::config::Signals;
 use atrous::Config;
 use atrous_harness::DeviceTest;
@@ -59,8 +59,8 @@ fn noise_goes_under_a_moving_camera() {
 
 fn reasons(s: &mut atrous::executor::Session) -> [usize; 6] {
     let mut counts = [0; 6];
-    for m in s.download("luminance_history").expect("luminance_history") {
-        counts[m[3] as usize] += 1;
+    for m in luminance_history(s, "luminance_history") {
+        counts[m.reason as usize] += 1;
     }
     counts
 }

@@ -32,7 +32,7 @@ Sums sums_of(ivec2 pixel) {
     vec4 texel = irradiance_at(p);
     float now = luminance(texel.rgb);
     float before = min(luminance(history_at(tap).rgb) * frame.exposure_ratio, 65504.0);
-    LuminanceHistory luminance_history = unpack_luminance_history(texelFetch(previous_luminance_history, tap, 0));
+    LuminanceHistory luminance_history = unpack_luminance_history(texelFetch(previous_luminance_history, tap, 0).x);
     float deviation = luminance_history.deviation * frame.exposure_ratio;
     float uncertainty = 1.0 / max(luminance_history.history_length, 1.0);
     Sums of_sample = Sums(1.0, now, before, (now - before) * (now - before), uncertainty, 0.0, 0.0, deviation * deviation);

@@ -32,12 +32,29 @@ LuminanceHistory luminance_history_of(uint packed, float length_or_reason) {
     return LuminanceHistory(luminance.x, luminance.y, lost ? 1.0 : length_or_reason, lost ? uint(-length_or_reason) : REASON_NONE);
 }
 
-uvec4 pack_luminance_history(LuminanceHistory m) {
-    return uvec4(half_bits(min(m.mean, 65504.0)), half_bits(min(m.deviation, 65504.0)), half_bits(m.history_length), m.reason);
+// The code of a length is the upper part of its half, of which the smallest is this one, 1/16 of a frame; 0: none. Above all of them are reasons.
+const uint SHORTEST_LENGTH = 351u;
+const uint NO_REASON_CODE = 506u;
+
+// A half without its sign and its lowest bits. They are rounded up as often as they would fill the next step: small weights add up so.
+uint upper_bits(uint half_bits, uint dropped, uint random) {
+    return min((half_bits & 0x7fffu) + (random & (1u << dropped) - 1u), 0x7bffu) >> dropped;
 }
 
-LuminanceHistory unpack_luminance_history(uvec4 packed) {
-    return LuminanceHistory(half_value(packed.x), half_value(packed.y), half_value(packed.z), packed.w);
+// From frame to frame, of what a stage hands on within one. What is rounded decides how, with its pixel, and not the number of the frame.
+uint pack_luminance_history(uint new_luminance, float length_or_reason, ivec2 p) {
+    uint random = pcg((uint(p.x) | uint(p.y) << 16) + pcg(new_luminance));
+    uint mean = upper_bits(new_luminance, 2u, random), deviation = upper_bits(new_luminance >> 16, 5u, random >> 2);
+    uint history_length = max(upper_bits(half_bits(length_or_reason), 5u, random >> 7), SHORTEST_LENGTH) - SHORTEST_LENGTH;
+    uint code = length_or_reason < 0.0 ? NO_REASON_CODE + uint(-length_or_reason) : history_length;
+    return mean << 19 | deviation << 9 | code;
+}
+
+LuminanceHistory unpack_luminance_history(uint packed) {
+    float mean = half_value(packed >> 19 << 2), deviation = half_value((packed >> 9 & 1023u) << 5);
+    uint code = packed & 511u;
+    if (code > NO_REASON_CODE) return LuminanceHistory(mean, deviation, 1.0, code - NO_REASON_CODE);
+    return LuminanceHistory(mean, deviation, code == 0u ? 0.0 : half_value((code + SHORTEST_LENGTH) << 5), REASON_NONE);
 }
 
 #endif

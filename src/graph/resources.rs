@@ -71,7 +71,7 @@ impl Graph {
             luminance_history.push(self.history_in_place(
                 "luminance_history",
                 &label,
-                PACKED_64,
+                PACKED_32,
                 1,
                 "give it to the node `variance`",
             ));

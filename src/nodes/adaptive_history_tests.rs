@@ -21,10 +21,8 @@ fn confidence(before: f32, now: f32) -> (f32, f32) {
     let (frame, tuning, guides) = (frame(EXTENT), svgf_tuning(), guides(EXTENT, |_, _| surface(2.0)));
     let irradiance = one_sample(4).map(|t| t.map(|v| v * now));
     let history = Image::new(EXTENT, [before; 4]);
-    let luminance_history = Image::new(
-        EXTENT,
-        pack_luminance_history(&LuminanceHistory { mean: before, deviation: before, history_length: 8.0, reason: 0 }),
-    );
+    let luminance_history =
+        Image::new(EXTENT, LuminanceHistory { mean: before, deviation: before, history_length: 8.0, reason: 0 });
     let guides = HistoryGuides {
         guide: &guides.guide,
         surface_motion: &guides.surface_motion,
@@ -64,8 +62,7 @@ fn only_the_test_sees_a_light_that_comes_on() {
 #[test]
 fn a_change_that_is_certain_but_small_is_not_worth_the_history() {
     let (frame, tuning, guides) = (frame(EXTENT), svgf_tuning(), guides(EXTENT, |_, _| surface(2.0)));
-    let luminance_history =
-        Image::new(EXTENT, pack_luminance_history(&LuminanceHistory { mean: 1.0, deviation: 0.0, history_length: 8.0, reason: 0 }));
+    let luminance_history = Image::new(EXTENT, LuminanceHistory { mean: 1.0, deviation: 0.0, history_length: 8.0, reason: 0 });
     let history = Image::new(EXTENT, [1.0; 4]);
     let guides = HistoryGuides {
         guide: &guides.guide,
@@ -127,7 +124,7 @@ fn light_without_noise_loses_the_history_of_what_changed() {
     };
     let confidence = |noise: f32, past_noise: f32| {
         let luminance_history = LuminanceHistory { mean: 1.0, deviation: past_noise, history_length: 8.0, reason: 0 };
-        let (history, luminance_history) = (shadow(16, 0.0), Image::new(EXTENT, pack_luminance_history(&luminance_history)));
+        let (history, luminance_history) = (shadow(16, 0.0), Image::new(EXTENT, luminance_history));
         let history = SignalHistory { irradiance: &history, luminance_history: &luminance_history };
         let guides = HistoryGuides {
             guide: &guides.guide,

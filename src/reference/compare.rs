@@ -227,10 +227,6 @@ impl Reading {
                 let kept = unpack_upscale_history(texel);
                 padded([kept.even.x, kept.even.y, kept.even.z, kept.weight.sqrt(), kept.depth])
             }
-            Self::LuminanceHistory => {
-                let m = unpack_luminance_history(texel);
-                padded([m.mean, m.deviation, m.history_length, m.reason.into()])
-            }
             Self::BlockDifference => {
                 let d = unpack_difference(texel);
                 padded([d.mean, d.deviation, d.count, d.noise, d.past_noise, d.brighter])
@@ -249,6 +245,10 @@ impl Reading {
             Self::Reflection => {
                 let seen = unpack_reflection(texel);
                 padded([seen.hit_distance, seen.roughness])
+            }
+            Self::LuminanceHistory => {
+                let m = unpack_luminance_history(texel);
+                padded([m.mean, m.deviation, m.history_length, m.reason.into()])
             }
             Self::ImageShare => padded([unpack_image_share(texel).unwrap_or(-1.0)]),
             Self::Visibility => padded([unpack_visibility(texel, None).mean[0]]),

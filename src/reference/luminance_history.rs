@@ -1,7 +1,11 @@
 //! Mean and deviation of luminance with the history length, packed.
 
 use super::binary16::{from_half_bits, half_bits, round_to_half, store};
+use super::bindings::Bindings;
+use super::guide::pcg;
 use super::Image;
+use crate::Error;
+use glam::IVec2;
 
 /// The reason why a pixel has no history.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -35,42 +39,84 @@ pub struct LuminanceHistory {
     pub reason: u16,
 }
 
-/// A texel of `luminance_history*`.
-pub(crate) fn pack_luminance_history(luminance_history: &LuminanceHistory) -> [u16; 4] {
-    let [mean, deviation, history_length] =
-        [luminance_history.mean, luminance_history.deviation, luminance_history.history_length].map(|x| half_bits(store(x)));
-    [mean, deviation, history_length, luminance_history.reason]
+impl LuminanceHistory {
+    /// As stages hand it on within a frame.
+    pub(crate) fn in_halves(self) -> Self {
+        let [mean, deviation, history_length] = [self.mean, self.deviation, self.history_length].map(store);
+        Self { mean, deviation, history_length, ..self }
+    }
+}
+
+/// The code of a length is the upper part of its half, of which the smallest is this one, 1/16 of a frame; 0: none.
+const SHORTEST_LENGTH: u32 = 351;
+
+/// Codes above this one are reasons of a loss.
+const NO_REASON_CODE: u32 = 506;
+
+/// A half without its sign and its lowest bits. They are rounded up as often as they would fill the next step: small weights add up so.
+fn upper_bits(x: f32, dropped: u32, random: u32) -> u32 {
+    let bits = u32::from(half_bits(store(x)) & 0x7fff) + (random & ((1 << dropped) - 1));
+    bits.min(0x7bff) >> dropped
+}
+
+fn from_upper_bits(bits: u32, dropped: u32) -> f32 {
+    from_half_bits((bits << dropped) as u16)
+}
+
+/// The texel `p` of `luminance_history*`. What is rounded decides how, with its pixel, and not the number of the frame.
+pub(crate) fn pack_luminance_history(m: &LuminanceHistory, p: IVec2) -> u32 {
+    let random = pcg((p.x as u32 | (p.y as u32) << 16).wrapping_add(pcg(new_luminance(m))));
+    let code = match m.reason {
+        0 => upper_bits(m.history_length, 5, random >> 7).saturating_sub(SHORTEST_LENGTH),
+        reason => NO_REASON_CODE + u32::from(reason),
+    };
+    upper_bits(m.mean, 2, random) << 19 | upper_bits(m.deviation, 5, random >> 2) << 9 | code
 }
 
 /// The content of a texel of `luminance_history*`.
-pub fn unpack_luminance_history([mean, deviation, history_length, reason]: [u16; 4]) -> LuminanceHistory {
+pub fn unpack_luminance_history(packed: u32) -> LuminanceHistory {
+    let (history_length, reason) = match packed & 511 {
+        0 => (0.0, 0),
+        code if code > NO_REASON_CODE => (1.0, (code - NO_REASON_CODE) as u16),
+        code => (from_upper_bits(code + SHORTEST_LENGTH, 5), 0),
+    };
     LuminanceHistory {
-        mean: from_half_bits(mean),
-        deviation: from_half_bits(deviation),
-        history_length: from_half_bits(history_length),
+        mean: from_upper_bits(packed >> 19, 2),
+        deviation: from_upper_bits(packed >> 9 & 1023, 5),
+        history_length,
         reason,
     }
+}
+
+/// `luminance_history*` of every signal of a pass, unpacked.
+pub(crate) fn luminance_histories(b: &Bindings, name: &str) -> Result<Vec<Image<LuminanceHistory>>, Error> {
+    Ok(b.uints(name)?.iter().map(|image| image.map(|texel| unpack_luminance_history(*texel))).collect())
 }
 
 /// Luminance of this frame as the stage `temporal_accumulation` hands them on: mean and deviation in an image of their own, and in the
 /// alpha of the irradiance the history length, or the negative reason of a loss, whose length is 1.
 pub(crate) fn split_luminance_history(
     irradiance: &Image<[f32; 4]>,
-    luminance_history: &Image<[u16; 4]>,
+    luminance_history: &Image<LuminanceHistory>,
 ) -> (Image<[f32; 4]>, Image<u32>) {
     let accumulated = Image::compute(irradiance.extent(), irradiance.extent(), |p| {
-        let ([r, g, b, _], m) = (irradiance.at(p), unpack_luminance_history(luminance_history.at(p)));
+        let ([r, g, b, _], m) = (irradiance.at(p), luminance_history.at(p));
         [r, g, b, if m.reason == Reason::None as u16 { round_to_half(m.history_length) } else { -f32::from(m.reason) }]
     });
-    (accumulated, luminance_history.map(|[mean, deviation, ..]| u32::from(*mean) | u32::from(*deviation) << 16))
+    (accumulated, luminance_history.map(new_luminance))
+}
+
+fn new_luminance(m: &LuminanceHistory) -> u32 {
+    u32::from(half_bits(store(m.mean))) | u32::from(half_bits(store(m.deviation))) << 16
 }
 
 /// The opposite of [`split_luminance_history`].
-pub(crate) fn join_luminance_history(accumulated: &Image<[f32; 4]>, new_luminance: &Image<u32>) -> Image<[u16; 4]> {
+pub(crate) fn join_luminance_history(accumulated: &Image<[f32; 4]>, new_luminance: &Image<u32>) -> Image<LuminanceHistory> {
     Image::compute(accumulated.extent(), accumulated.extent(), |p| {
         let (alpha, packed) = (accumulated.at(p)[3], new_luminance.at(p));
         let (history_length, reason) = if alpha < 0.0 { (1.0, -alpha as u16) } else { (alpha, Reason::None as u16) };
-        [packed as u16, (packed >> 16) as u16, half_bits(history_length), reason]
+        let [mean, deviation] = [packed as u16, (packed >> 16) as u16].map(from_half_bits);
+        LuminanceHistory { mean, deviation, history_length, reason }
     })
 }
 
@@ -79,22 +125,38 @@ mod tests {
     use super::super::LARGEST_HALF;
     use super::*;
 
+    /// As the pixels of a picture keep it.
+    fn packed(m: LuminanceHistory) -> impl Iterator<Item = LuminanceHistory> {
+        let pixels = (0..64).flat_map(|y| (0..64).map(move |x| IVec2::new(x, y)));
+        pixels.map(move |p| unpack_luminance_history(pack_luminance_history(&m, p)))
+    }
+
     #[test]
-    fn moments_survive_packing() {
-        let luminance_history = LuminanceHistory { mean: 3.5, deviation: 0.25, history_length: 17.0, reason: Reason::Depth as u16 };
-        assert_eq!(unpack_luminance_history(pack_luminance_history(&luminance_history)), luminance_history);
-        assert_eq!(
-            unpack_luminance_history(pack_luminance_history(&LuminanceHistory { mean: f32::INFINITY, ..luminance_history })).mean,
-            LARGEST_HALF
-        );
+    fn what_fits_survives_packing_in_every_pixel() {
+        for history_length in [0.0, 0.5, 1.0, 17.0, 63.0, 256.0, 1024.0] {
+            let kept = LuminanceHistory { mean: 3.5, deviation: 0.25, history_length, reason: 0 };
+            let lost = LuminanceHistory { history_length: 1.0, reason: Reason::Depth as u16, ..kept };
+            assert!(packed(kept).all(|m| m == kept) && packed(lost).all(|m| m == lost));
+        }
+        let endless = LuminanceHistory { mean: f32::INFINITY, deviation: LARGEST_HALF, ..LuminanceHistory::default() };
+        assert!(packed(endless).all(|m| m.mean > 65000.0 && m.mean.is_finite() && m.deviation.is_finite()));
+    }
+
+    #[test]
+    fn small_steps_add_up_over_pixels() {
+        let m = LuminanceHistory { mean: 1.003, deviation: 0.111, history_length: 301.0, reason: 0 }.in_halves();
+        let mean = |of: fn(LuminanceHistory) -> f32| packed(m).map(of).sum::<f32>() / 4096.0;
+        let means = [mean(|m| m.mean), mean(|m| m.deviation), mean(|m| m.history_length)];
+        for (given, [expected, step]) in means.into_iter().zip([[m.mean, 1.0 / 256.0], [m.deviation, 1.0 / 512.0], [301.0, 8.0]]) {
+            assert!((given - expected).abs() < 0.03 * step, "{given} for {expected}");
+        }
     }
 
     #[test]
     fn moments_survive_the_way_from_stage_to_stage() {
         let kept = LuminanceHistory { mean: 3.5, deviation: 0.25, history_length: 17.5, reason: 0 };
         let lost = LuminanceHistory { history_length: 1.0, reason: Reason::Normal as u16, ..kept };
-        let luminance_history =
-            Image::from_texels([2, 1], vec![pack_luminance_history(&kept), pack_luminance_history(&lost)]).expect("two texels");
+        let luminance_history = Image::from_texels([2, 1], vec![kept, lost]).expect("two texels");
         let (accumulated, new_luminance) = split_luminance_history(&Image::new([2, 1], [1.0, 2.0, 3.0, 9.0]), &luminance_history);
         assert_eq!(accumulated.texels(), [[1.0, 2.0, 3.0, 17.5], [1.0, 2.0, 3.0, -4.0]]);
         assert_eq!(join_luminance_history(&accumulated, &new_luminance), luminance_history);

@@ -74,7 +74,6 @@ pub use texels::Texels;
 pub(crate) use {
     binary16::{round_image_to_half, round_to_half, LARGEST_HALF},
     guide::{pack_guide, unpack_guide, Surface},
-    luminance_history::pack_luminance_history,
     nearest_history::{HistoryGuides, SignalHistory},
     reflection::{pack_reflection, SeenReflection, FARTHEST_HIT},
     strata::{pack_gradient_sample, unpack_gradient_sample, GradientSample},

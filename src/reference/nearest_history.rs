@@ -4,6 +4,7 @@
 use super::bindings::Bindings;
 use super::conventions::is_reset;
 use super::guide::unpack_guide;
+use super::luminance_history::LuminanceHistory;
 use super::projection::extent_ratio;
 use super::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
 use super::{render_rect::RenderRect, Image};
@@ -16,7 +17,7 @@ pub(crate) struct SignalHistory<'a> {
     /// rgb: irradiance, as written by level 0 of `atrous`.
     pub irradiance: &'a Image<[f32; 4]>,
     /// The image `luminance_history` of the previous frame.
-    pub luminance_history: &'a Image<[u16; 4]>,
+    pub luminance_history: &'a Image<LuminanceHistory>,
 }
 
 /// Guides of two frames; images have the allocated extent.

@@ -12,8 +12,8 @@ pub use atrous_synthetic::scene::{self, pixels, random, rmse};
 
 use atrous::config::Preset;
 use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions, Validation};
-use atrous::reference::Engine;
-use atrous::{Config, Declaration, Error, FrameContext, FrameParams, Material, Tuning};
+use atrous::reference::{unpack_luminance_history, Engine, LuminanceHistory};
+use atrous::{Config, Declaration, Error, FrameContext, FrameParams, Material, Tuning, UseFrame};
 use scene::Guides;
 use std::cell::{OnceCell, RefCell};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -194,6 +194,12 @@ pub fn frame(session: &mut Session, guides: &Guides, params: &FrameParams, tunin
     assert_finite(&image, context.render_extent, session.executor().denoiser().declaration().allocated_extent());
     assert_valid();
     (context, image)
+}
+
+/// The history of luminance that a frame left.
+pub fn luminance_history(session: &mut Session, name: &str) -> Vec<LuminanceHistory> {
+    let texels: Vec<u32> = bytemuck::allocation::pod_collect_to_vec(&session.download_bytes(name, UseFrame::Current).expect(name));
+    texels.into_iter().map(unpack_luminance_history).collect()
 }
 
 /// Every texel of the render rect is finite.

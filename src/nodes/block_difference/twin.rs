@@ -70,7 +70,7 @@ pub(crate) fn block_difference(frame: &FrameConstants, tuning: &Tuning, inputs: 
         let pairs = Blocks::pixels(block, frame.render_extent).filter_map(|p| {
             let tap = inputs.guides.nearest(frame, tuning, p).filter(|_| inputs.irradiance.at(p)[3] >= 0.0)?;
             let before = (texel_luminance(inputs.history.irradiance.at(tap)) * frame.exposure_ratio).min(LARGEST_HALF);
-            let luminance_history = unpack_luminance_history(inputs.history.luminance_history.at(tap));
+            let luminance_history = inputs.history.luminance_history.at(tap);
             let deviation = luminance_history.deviation * frame.exposure_ratio;
             let now = texel_luminance(inputs.irradiance.at(p));
             Some((
@@ -122,7 +122,8 @@ pub(crate) const RULES: &[Rule] = &[DIFFERENCE];
 
 /// The departure of an irradiance from the history that a pass binds.
 pub(crate) fn difference_from_history(b: &Bindings, irradiance: &Image<[f32; 4]>) -> Result<Image<[u16; 4]>, Error> {
-    let history = SignalHistory { irradiance: b.colour("history")?, luminance_history: b.packed("previous_luminance_history")? };
+    let luminance_history = b.uint("previous_luminance_history")?.map(|texel| unpack_luminance_history(*texel));
+    let history = SignalHistory { irradiance: b.colour("history")?, luminance_history: &luminance_history };
     Ok(block_difference(b.frame, b.tuning, &BlockDifferenceInputs { guides: HistoryGuides::of(b)?, irradiance, history }))
 }
 

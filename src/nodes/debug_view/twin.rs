@@ -13,7 +13,6 @@ use crate::reference::blocks::block_of;
 use crate::reference::guide::{pcg, unpack_guide};
 use crate::reference::kept_radiance::exposed;
 use crate::reference::luminance::texel_luminance;
-use crate::reference::luminance_history::unpack_luminance_history;
 use crate::reference::projection::pixel_size;
 use crate::reference::reflection::{lobe_width, nearness, unpack_image_share, unpack_reflection, SeenReflection};
 use crate::reference::scenery::Instances;
@@ -44,7 +43,7 @@ pub(crate) struct DebugViewInputs<'a> {
     /// Counters of the frame.
     pub statistics: &'a Statistics,
     /// `luminance_history*` of every signal.
-    pub luminance_history: &'a [&'a Image<[u16; 4]>],
+    pub luminance_history: &'a [&'a Image<LuminanceHistory>],
     /// `irradiance_history*` of every signal; alpha: standard deviation.
     pub irradiance_history: &'a [&'a Image<[f32; 4]>],
     /// Share of the history that is kept.
@@ -198,7 +197,7 @@ impl DebugViewInputs<'_> {
     }
 
     fn luminance_history_at(&self, signal: usize, p: IVec2) -> LuminanceHistory {
-        unpack_luminance_history(self.luminance_history[signal].at(p))
+        self.luminance_history[signal].at(p)
     }
 
     fn gradient_at(&self, p: IVec2) -> ([f32; 3], f32) {

@@ -4,7 +4,7 @@ use crate::reference::bindings::Bindings;
 use crate::reference::compare::Rule;
 use crate::reference::guide::unpack_guide;
 use crate::reference::luminance::texel_luminance;
-use crate::reference::luminance_history::unpack_luminance_history;
+use crate::reference::luminance_history::{luminance_histories, LuminanceHistory};
 use crate::reference::rules::{pixels, HALF};
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Error, FrameConstants};
@@ -18,7 +18,7 @@ pub(crate) struct ReactiveInputs<'a> {
     /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
     /// `luminance_history*` of every signal.
-    pub histories: &'a [&'a Image<[u16; 4]>],
+    pub histories: &'a [&'a Image<LuminanceHistory>],
     /// Confidence in the history.
     pub confidence: Option<&'a Image<f32>>,
     /// rgb: denoised radiance, emission included.
@@ -32,7 +32,7 @@ pub(crate) fn reactive_mask(frame: &FrameConstants, inputs: &ReactiveInputs) -> 
     Image::compute(inputs.rendered_guide.extent(), frame.guide_extent, |p| {
         let surface = unpack_guide(inputs.rendered_guide.at(p));
         let q = light_pixel(frame, inputs.guide, p, surface.linear_depth);
-        let lengths = inputs.histories.iter().map(|history| unpack_luminance_history(history.at(q)).history_length);
+        let lengths = inputs.histories.iter().map(|history| history.at(q).history_length);
         let shortest = lengths.fold(f32::INFINITY, f32::min).max(1.0);
         let changed = inputs.confidence.map_or(0.0, |confidence| 1.0 - confidence.at(q));
         let is_surface = !surface.is_background();
@@ -61,10 +61,11 @@ pub(crate) const RULES: &[Rule] = &[pixels("reactive_mask", HALF)];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let histories = luminance_histories(b, "luminance_history")?;
     let inputs = ReactiveInputs {
         rendered_guide: b.packed("rendered_guide")?,
         guide: b.packed("guide")?,
-        histories: &b.packed_signals("luminance_history")?,
+        histories: &histories.iter().collect::<Vec<_>>(),
         confidence: b.optional_scalar("history_confidence")?,
         radiance: b.colour("radiance")?,
         emission: b.optional_colour("emission")?,
@@ -76,15 +77,14 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::reference::luminance_history::{pack_luminance_history, LuminanceHistory};
     use crate::reference::test_scene::*;
     use crate::{Config, FrameParams};
 
     const EXTENT: [u32; 2] = [3, 1];
 
-    fn history(lengths: [f32; 3]) -> Image<[u16; 4]> {
+    fn history(lengths: [f32; 3]) -> Image<LuminanceHistory> {
         let of = |x: i32| LuminanceHistory { history_length: lengths[x as usize], ..LuminanceHistory::default() };
-        paint(EXTENT, |x, _| pack_luminance_history(&of(x)))
+        paint(EXTENT, |x, _| of(x))
     }
 
     #[test]
@@ -119,7 +119,7 @@ mod tests {
         let guide = guides(light, |x, _| surface(if x < 2 { 2.0 } else { 9.0 })).guide;
         let history = paint(light, |x, _| {
             let history_length = if x < 2 { 1.0 } else { 50.0 };
-            pack_luminance_history(&LuminanceHistory { history_length, ..LuminanceHistory::default() })
+            LuminanceHistory { history_length, ..LuminanceHistory::default() }
         });
         let radiance = Image::new(rendered, [1.0; 4]);
         let inputs = ReactiveInputs {

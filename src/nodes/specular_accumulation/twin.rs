@@ -8,7 +8,7 @@ use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
 use crate::reference::conventions::{is_reset, roughness_channel};
 use crate::reference::guide::{unpack_guide, Surface};
 use crate::reference::luminance::{luminance, texel_luminance};
-use crate::reference::luminance_history::{pack_luminance_history, split_luminance_history, LuminanceHistory, Reason};
+use crate::reference::luminance_history::{split_luminance_history, unpack_luminance_history, LuminanceHistory, Reason};
 use crate::reference::material::{classes_beyond, tuning_at};
 use crate::reference::reflection::{
     hit_distance_of, lobe_radius, mixed_roughness, pack_reflection, reach, roughness_of, SeenReflection,
@@ -43,8 +43,8 @@ pub(crate) struct PreviousSpecular<'a> {
     pub guide: &'a Image<[u16; 4]>,
     /// rgb: irradiance.
     pub history: &'a Image<[f32; 4]>,
-    /// See [`crate::reference::unpack_luminance_history`].
-    pub luminance_history: &'a Image<[u16; 4]>,
+    /// Unpacked.
+    pub luminance_history: &'a Image<LuminanceHistory>,
     /// The image `reflection`, see [`crate::reference::unpack_reflection`].
     pub reflection: &'a Image<u32>,
 }
@@ -88,8 +88,8 @@ const SMALLEST_ASIDE: f32 = 0.01;
 pub(crate) struct SpecularAccumulationOutputs {
     /// rgb: accumulated irradiance, half precision; alpha 0.
     pub accumulated: Image<[f32; 4]>,
-    /// See [`crate::reference::unpack_luminance_history`].
-    pub luminance_history: Image<[u16; 4]>,
+    /// Rounded to halves.
+    pub luminance_history: Image<LuminanceHistory>,
     /// See [`crate::reference::unpack_reflection`].
     pub reflection: Image<u32>,
     /// Ids without a transform.
@@ -131,7 +131,7 @@ pub(crate) fn specular_accumulation(
     SpecularAccumulationOutputs {
         statistics,
         accumulated: texels.map(|t| t.0),
-        luminance_history: texels.map(|t| pack_luminance_history(&t.1)),
+        luminance_history: texels.map(|t| t.1.in_halves()),
         reflection: texels.map(|t| pack_reflection(&t.2, t.3)),
     }
 }
@@ -274,6 +274,7 @@ pub(crate) const RULES: &[Rule] = &[
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let transforms = b.instance_transforms()?;
+    let luminance_history = b.uint("previous_luminance_history")?.map(|texel| unpack_luminance_history(*texel));
     let inputs = SpecularAccumulationInputs {
         guide: b.packed("guide")?,
         surface_motion: b.packed("surface_motion")?,
@@ -295,7 +296,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         previous: PreviousSpecular {
             guide: b.packed("previous_guide")?,
             history: b.colour("history")?,
-            luminance_history: b.packed("previous_luminance_history")?,
+            luminance_history: &luminance_history,
             reflection: b.uint("previous_reflection")?,
         },
     };

@@ -2,7 +2,7 @@
 
 use crate::reference::conventions::is_reset;
 use crate::reference::guide::{unpack_guide, Surface};
-use crate::reference::luminance_history::{pack_luminance_history, unpack_luminance_history, LuminanceHistory, Reason};
+use crate::reference::luminance_history::{LuminanceHistory, Reason};
 use crate::reference::material::{classes_beyond, tuning_at};
 use crate::reference::nearest_history::SignalHistory;
 use crate::reference::octahedral::octahedral10_to_normal;
@@ -87,8 +87,8 @@ pub(crate) struct TemporalAccumulationInputs<'a> {
 pub(crate) struct TemporalAccumulationOutputs {
     /// rgb: accumulated irradiance, half precision; alpha 0.
     pub irradiance: Vec<Image<[f32; 4]>>,
-    /// See [`unpack_luminance_history`].
-    pub luminance_history: Vec<Image<[u16; 4]>>,
+    /// Rounded to halves.
+    pub luminance_history: Vec<Image<LuminanceHistory>>,
     /// Surfaces with a history of their own, and those without by reason.
     pub statistics: Statistics,
 }
@@ -163,7 +163,7 @@ pub(crate) fn temporal_accumulation(
             let bounds = AlphaBounds::new(&tuning_of(p), inputs.history_confidence.is_some(), inputs.repair, change);
             let ratio = inputs.light_ratio.map_or([1.0; 3], |ratio| light::ratio_at(frame, ratio, p));
             let (c, luminance_history) = accumulate(frame, irradiance.at(p), histories.at(p), bounds, signal, ratio);
-            (c, pack_luminance_history(&luminance_history))
+            (c, luminance_history.in_halves())
         });
         outputs.irradiance.push(texels.map(|t| t.0));
         outputs.luminance_history.push(texels.map(|t| t.1));
@@ -350,14 +350,14 @@ fn weighted_history(taps: &[(IVec2, f32); 9], signal: &SignalHistory) -> ([f32; 
     let valid = || taps.iter().filter(|tap| tap.1 > 0.0);
     let (mut irradiance, mut mean, mut history_length) = ([0.0; 3], 0.0, 0.0);
     for &(q, weight) in valid() {
-        let (c, luminance_history) = (signal.irradiance.at(q), unpack_luminance_history(signal.luminance_history.at(q)));
+        let (c, luminance_history) = (signal.irradiance.at(q), signal.luminance_history.at(q));
         (0..3).for_each(|i| irradiance[i] += weight * c[i]);
         mean += weight * luminance_history.mean;
         history_length += weight * luminance_history.history_length;
     }
     let mut variance = 0.0;
     for &(q, weight) in valid() {
-        let luminance_history = unpack_luminance_history(signal.luminance_history.at(q));
+        let luminance_history = signal.luminance_history.at(q);
         variance += weight
             * (luminance_history.deviation * luminance_history.deviation
                 + (luminance_history.mean - mean) * (luminance_history.mean - mean));

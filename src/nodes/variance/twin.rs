@@ -5,7 +5,7 @@ use crate::reference::binary16::store;
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
 use crate::reference::geometry_weights::Geometry;
-use crate::reference::luminance_history::{join_luminance_history, unpack_luminance_history, LuminanceHistory};
+use crate::reference::luminance_history::{join_luminance_history, pack_luminance_history, LuminanceHistory};
 use crate::reference::rules::{pixels, rule, EXACT, HALF};
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Error, FrameConstants, Tuning};
@@ -39,7 +39,7 @@ pub(crate) struct VarianceInputs<'a> {
     /// rgb: accumulated irradiance of every signal.
     pub irradiance: &'a [&'a Image<[f32; 4]>],
     /// Luminance of this frame, of every signal.
-    pub luminance_history: &'a [&'a Image<[u16; 4]>],
+    pub luminance_history: &'a [&'a Image<LuminanceHistory>],
 }
 
 /// Estimates for every signal. rgb: irradiance as it came; alpha: standard deviation of its luminance, half precision.
@@ -85,15 +85,13 @@ fn estimate(
     tuning: &Tuning,
     geometry: &Geometry,
     irradiance: &[&Image<[f32; 4]>],
-    luminance_history: &[&Image<[u16; 4]>],
+    luminance_history: &[&Image<LuminanceHistory>],
     deviation: impl Fn(&FrameConstants, &Tuning, &Geometry, &Image<LuminanceHistory>, IVec2) -> f32 + Sync,
 ) -> Vec<Image<[f32; 4]>> {
-    let signal = |(irradiance, luminance_history): (&&Image<[f32; 4]>, &&Image<[u16; 4]>)| {
-        let luminance_history =
-            Image::compute(geometry.extent(), frame.render_extent, |p| unpack_luminance_history(luminance_history.at(p)));
+    let signal = |(irradiance, luminance_history): (&&Image<[f32; 4]>, &&Image<LuminanceHistory>)| {
         Image::compute(geometry.extent(), frame.render_extent, |p| {
             let [r, g, b, _] = irradiance.at(p);
-            let estimated = || store(deviation(frame, tuning, geometry, &luminance_history, p));
+            let estimated = || store(deviation(frame, tuning, geometry, luminance_history, p));
             [store(r), store(g), store(b), if geometry.is_background(p) { BACKGROUND_DEVIATION } else { estimated() }]
         })
     };
@@ -126,7 +124,7 @@ fn spatial_variance(
 /// The root of a difference of moments: where the variance is next to 0, rounding decides it.
 const ESTIMATED: Tolerance = Tolerance { relative: 3e-3, absolute: 2e-3, ..HALF };
 
-/// Mean and deviation pass through to the history as they came.
+/// Mean and deviation come rounded to halves: the rest is arithmetic of whole numbers.
 pub(crate) const RULES: &[Rule] = &[
     pixels("estimate_0", ESTIMATED),
     pixels("estimate_1", ESTIMATED),
@@ -153,5 +151,10 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         irradiance.iter().zip(new_luminance).map(|(irradiance, new)| join_luminance_history(irradiance, new)).collect();
     let estimated = estimate(b.frame, b.tuning, &geometry, &irradiance, &luminance_history.iter().collect::<Vec<_>>(), deviation);
     b.write_signals("estimate", estimated)?;
-    b.write_signals("luminance_history", luminance_history)
+    let packed = luminance_history.iter().map(|image| {
+        Image::compute(image.extent(), b.frame.render_extent, |p| {
+            pack_luminance_history(&image.at(p), p)
+        })
+    });
+    b.write_signals("luminance_history", packed.collect())
 }

@@ -3,6 +3,7 @@
 use super::*;
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::{Rule, Tolerance};
+use crate::reference::luminance_history::luminance_histories;
 use crate::reference::rules::{pixels, HALF};
 use crate::reference::visibility::histories_of;
 use crate::Error;
@@ -17,11 +18,12 @@ pub(crate) const RULES: &[Rule] = &[pixels("debug_view", PICTURE)];
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let transforms = b.instance_transforms()?;
     let visible = b.has("visibility_history").then(|| histories_of(b, ["visibility_history", ""], 0)).transpose()?;
+    let luminance_history = if b.has("luminance_history_0") { luminance_histories(b, "luminance_history")? } else { Vec::new() };
     let inputs = DebugViewInputs {
         guide: b.packed("guide")?,
         surface_motion: b.packed("surface_motion")?,
         statistics: &b.statistics()?,
-        luminance_history: &if b.has("luminance_history_0") { b.packed_signals("luminance_history")? } else { Vec::new() },
+        luminance_history: &luminance_history.iter().collect::<Vec<_>>(),
         irradiance_history: &if b.has("history_0") { b.colours("history")? } else { Vec::new() },
         history_confidence: b.optional_scalar("history_confidence")?,
         gradient: b.optional_colour("gradient")?,

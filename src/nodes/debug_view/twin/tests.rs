@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::reference::test_scene::*;
-use crate::reference::{pack_luminance_history, pack_reflection, pack_surface_motion, Reason};
+use crate::reference::{pack_reflection, pack_surface_motion, Reason};
 use crate::Config;
 use glam::Vec3;
 
@@ -32,7 +32,7 @@ fn bare<'a>(guides: &'a Guides, statistics: &'a Statistics) -> DebugViewInputs<'
 /// A plane whose left half is background.
 fn view(view: DebugView, luminance_history: &LuminanceHistory, statistics: &Statistics) -> Image<[f32; 4]> {
     let guides = guides(EXTENT, |x, _| if x < 8 { surface(0.0) } else { surface(3.0) });
-    let luminance_history = Image::new(EXTENT, pack_luminance_history(luminance_history));
+    let luminance_history = Image::new(EXTENT, *luminance_history);
     let inputs = DebugViewInputs { luminance_history: &[&luminance_history], ..bare(&guides, statistics) };
     debug_view(&frame(EXTENT), &Tuning { alpha: 0.2, ..svgf_tuning() }, &inputs, view)
 }
@@ -88,7 +88,7 @@ fn assert_near(given: [f32; 3], wanted: [f32; 3], what: &str) {
 fn the_legend_has_the_colours_of_the_picture() {
     let guides = guides(EXTENT, |_, _| surface(1.0));
     let luminance_history = LuminanceHistory { mean: 1.0, deviation: 9.0, history_length: 2.0, reason: Reason::Normal as u16 };
-    let of = |history_length| Image::new(EXTENT, pack_luminance_history(&LuminanceHistory { history_length, ..luminance_history }));
+    let of = |history_length| Image::new(EXTENT, LuminanceHistory { history_length, ..luminance_history });
     let (two, eight) = (of(2.0), of(8.0));
     let deviation = Image::new(EXTENT, [0.0, 0.0, 0.0, 0.25]);
     let gradient = Image::new([6, 5], [-0.5, 0.5, 0.0, 0.0]);

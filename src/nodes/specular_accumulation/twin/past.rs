@@ -6,7 +6,6 @@ use crate::nodes::temporal_accumulation::twin::{cubic_taps, SMALLEST_WEIGHT_SUM}
 use crate::reference::binary16::LARGEST_HALF;
 use crate::reference::forward_projection::previous_world_position;
 use crate::reference::luminance::texel_luminance;
-use crate::reference::luminance_history::unpack_luminance_history;
 use crate::reference::projection::{extent_ratio, previous_surface};
 use crate::reference::reflection::{
     hit_distance_of, lobe_radius, lobe_width, mirror_image_distance, mirror_share, nearness, reach, unpack_image_share,
@@ -363,8 +362,7 @@ impl Scene<'_> {
 
     fn tap(&self, c: &Centre, q: IVec2) -> Past {
         let previous = &self.inputs.previous;
-        let (luminance_history, reflection) =
-            (unpack_luminance_history(previous.luminance_history.at(q)), previous.reflection.at(q));
+        let (luminance_history, reflection) = (previous.luminance_history.at(q), previous.reflection.at(q));
         let seen = unpack_reflection(reflection);
         let [r, g, b, _] = previous.history.at(q);
         let mean = luminance_history.mean - c.origin;

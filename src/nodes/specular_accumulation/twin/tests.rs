@@ -24,7 +24,7 @@ struct Wall {
     noisy: Image<[f32; 4]>,
     roughness: Option<Image<[f32; 4]>>,
     history: Image<[f32; 4]>,
-    luminance_history: Image<[u16; 4]>,
+    luminance_history: Image<LuminanceHistory>,
     reflection: Image<u32>,
     ids: Option<[Image<u32>; 2]>,
     motion: Option<Image<[f32; 4]>>,
@@ -49,7 +49,7 @@ impl Wall {
             noisy: Image::new(EXTENT, [0.0, 0.0, 0.0, hit_distance]),
             roughness: Some(Image::new(EXTENT, [roughness; 4])),
             history: paint(EXTENT, |x, _| [x as f32; 4]),
-            luminance_history: Image::new(EXTENT, pack_luminance_history(&luminance_history)),
+            luminance_history: Image::new(EXTENT, luminance_history),
             reflection: Image::new(EXTENT, pack_reflection(&SeenReflection { hit_distance, roughness }, None)),
             ids: None,
             motion: None,
@@ -176,14 +176,17 @@ fn a_rough_surface_without_hit_distance_is_as_diffuse_light() {
     for p in [IVec2::new(3, 3), IVec2::new(12, 9), IVec2::new(20, 15)] {
         let (a, b) = (ours.accumulated.at(p), diffuse.irradiance[0].at(p));
         assert!((a[0] - b[0]).abs() < 0.02, "{p}: {a:?} {b:?}");
-        assert_eq!(ours.luminance_history.at(p)[2], diffuse.luminance_history[0].at(p)[2], "{p}: history length");
+        assert_eq!(
+            ours.luminance_history.at(p).history_length,
+            diffuse.luminance_history[0].at(p).history_length,
+            "{p}: history length"
+        );
     }
 }
 
 #[test]
 fn another_thing_in_the_mirror_or_another_finish_drops_the_past() {
-    let length =
-        |wall: &Wall| crate::reference::unpack_luminance_history(wall.run().luminance_history.at(IVec2::new(10, 8))).history_length;
+    let length = |wall: &Wall| wall.run().luminance_history.at(IVec2::new(10, 8)).history_length;
     let same = Wall::new(0.0, 4.0, 0.0);
     assert!(length(&same) > 900.0, "{}", length(&same));
     for before in [SeenReflection { hit_distance: 0.5, roughness: 0.0 }, SeenReflection { hit_distance: 4.0, roughness: 0.8 }] {
@@ -200,11 +203,10 @@ fn light_that_is_not_that_of_the_past_drops_it() {
     let length = |deviation, noisy: &dyn Fn(i32, i32) -> f32| {
         let mut wall = Wall::new(0.0, 4.0, 0.0);
         let luminance_history = LuminanceHistory { mean: 0.25, deviation, history_length: 1000.0, reason: 0 };
-        (wall.history, wall.luminance_history) =
-            (Image::new(EXTENT, [0.25; 4]), Image::new(EXTENT, pack_luminance_history(&luminance_history)));
+        (wall.history, wall.luminance_history) = (Image::new(EXTENT, [0.25; 4]), Image::new(EXTENT, luminance_history));
         // One channel tells it.
         wall.noisy = paint(EXTENT, |x, y| [0.25, 0.25, noisy(x, y), 4.0]);
-        crate::reference::unpack_luminance_history(wall.run().luminance_history.at(IVec2::new(15, 8))).history_length
+        wall.run().luminance_history.at(IVec2::new(15, 8)).history_length
     };
     let chequer = |x: i32, y: i32| 2.0 * ((x + y) % 2) as f32;
     assert!(length(0.0, &|_, _| 0.25) > 900.0, "the same light");
@@ -221,13 +223,13 @@ fn of_unknown_light(step: f32, deviation: f32, before: impl Fn(i32) -> f32, now:
     let mut wall = Wall { roughness: None, ..Wall::new(step, 0.0, 0.0) };
     let luminance_history = |mean| LuminanceHistory { mean, deviation, history_length: 100.0, reason: 0 };
     wall.history = paint(EXTENT, |x, _| [before(x); 4]);
-    wall.luminance_history = paint(EXTENT, |x, _| pack_luminance_history(&luminance_history(before(x))));
+    wall.luminance_history = paint(EXTENT, |x, _| luminance_history(before(x)));
     wall.noisy = paint(EXTENT, |x, y| {
         let light = now(x) * (0.975 + 0.05 * ((x + y) % 2) as f32);
         [light, light, light, 0.0]
     });
     let (p, outputs) = (IVec2::new(12, 8), wall.run());
-    let frames = crate::reference::unpack_luminance_history(outputs.luminance_history.at(p)).history_length;
+    let frames = outputs.luminance_history.at(p).history_length;
     (frames, unpack_image_share(outputs.reflection.at(p)))
 }
 
@@ -265,7 +267,7 @@ fn the_noise_of_pasts_does_not_tell_what_is_seen() {
         wall.history = noise(EXTENT, 7).map(|texel| texel.map(|x| 0.5 + (x - 0.5) / 8.0_f32.sqrt()));
         wall.noisy = noise(EXTENT, 8).map(|&[r, g, b, _]| [r, g, b, 0.0]);
         let luminance_history = LuminanceHistory { mean: 0.5, deviation: 0.3, history_length: frames, reason: 0 };
-        wall.luminance_history = Image::new(EXTENT, pack_luminance_history(&luminance_history));
+        wall.luminance_history = Image::new(EXTENT, luminance_history);
         let reflection = wall.run().reflection;
         let pixels = (4..20).flat_map(|x| (4..12).map(move |y| IVec2::new(x, y)));
         pixels.filter(|p| unpack_image_share(reflection.at(*p)) > Some(0.5)).count()
@@ -352,7 +354,7 @@ fn the_lobe_of_a_curved_surface_tolerates_less() {
     wall.reflection = Image::new(EXTENT, pack_reflection(&past, None));
     let tuning = Tuning { normal_tolerance: -1.0, ..tuning() };
     let outputs = specular_accumulation(&wall.frame, &tuning, &wall.inputs());
-    let length = crate::reference::unpack_luminance_history(outputs.luminance_history.at(IVec2::new(15, 8))).history_length;
+    let length = outputs.luminance_history.at(IVec2::new(15, 8)).history_length;
 
     // Along rows, which is how the camera slides; the mean curvature is half of it.
     let curvature = 0.6 / 1.36_f32.sqrt() / (3.0 * WALL / FOCAL);
@@ -371,7 +373,7 @@ fn the_background_passes_and_a_reset_drops_the_past() {
     let p = IVec2::new(4, 4);
     let fresh = specular_accumulation(&reset(wall.frame), &tuning(), &wall.inputs());
     assert!((fresh.accumulated.at(p)[0] - wall.noisy.at(p)[0]).abs() < 1e-3);
-    assert_eq!(crate::reference::unpack_luminance_history(fresh.luminance_history.at(p)).reason, Reason::Reset as u16);
+    assert_eq!(fresh.luminance_history.at(p).reason, Reason::Reset as u16);
     wall.guides.guide = Image::new(EXTENT, pack_guide(&Surface::default()));
     let sky = wall.run();
     assert!((sky.accumulated.at(p)[0] - wall.noisy.at(p)[0]).abs() < 1e-3);
@@ -434,7 +436,7 @@ fn still_mirror(roughness: f32, before: f32, now: impl Fn(i32, i32) -> f32) -> f
     let mut wall = Wall::new(0.0, 4.0, roughness);
     wall.reflection = Image::new(EXTENT, pack_reflection(&SeenReflection { hit_distance: before, roughness }, None));
     wall.noisy = paint(EXTENT, |x, y| [0.0, 0.0, 0.0, now(x, y)]);
-    crate::reference::unpack_luminance_history(wall.run().luminance_history.at(IVec2::new(15, 8))).history_length
+    wall.run().luminance_history.at(IVec2::new(15, 8)).history_length
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use super::*;
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
-use crate::reference::luminance_history::split_luminance_history;
+use crate::reference::luminance_history::{luminance_histories, split_luminance_history};
 use crate::reference::rules::{pixels, rounded, rule, TESTED};
 use crate::Error;
 
@@ -26,11 +26,11 @@ pub(crate) const RULES: &[Rule] = &[
 
 /// Surfaces, or with the constant `VOLUME` a volume.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
-    let (irradiance, history, luminance_history) =
-        (b.colours("irradiance")?, b.colours("history")?, b.packed_signals("previous_luminance_history")?);
+    let (irradiance, history) = (b.colours("irradiance")?, b.colours("history")?);
+    let luminance_history = luminance_histories(b, "previous_luminance_history")?;
     let signals: Vec<_> = history
         .into_iter()
-        .zip(luminance_history)
+        .zip(&luminance_history)
         .map(|(irradiance, luminance_history)| SignalHistory { irradiance, luminance_history })
         .collect();
     let guide = b.packed("previous_guide")?;

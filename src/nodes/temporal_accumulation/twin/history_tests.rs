@@ -43,14 +43,8 @@ impl Scene {
     fn centre(&self) -> (f32, LuminanceHistory) {
         let tuning = Tuning { alpha: 0.0, alpha_moments: 0.0, max_history_length: 1024.0, ..svgf_tuning() };
         let columns = paint(EXTENT, |x, _| [x as f32, x as f32, x as f32, 0.0]);
-        let luminance_history = paint(EXTENT, |x, y| {
-            pack_luminance_history(&LuminanceHistory {
-                mean: x as f32,
-                deviation: 0.5,
-                history_length: 1000.0 + y as f32,
-                reason: 1,
-            })
-        });
+        let luminance_history =
+            paint(EXTENT, |x, y| LuminanceHistory { mean: x as f32, deviation: 0.5, history_length: 1000.0 + y as f32, reason: 1 });
         let new = Image::new(EXTENT, [NEW, NEW, NEW, 0.0]);
         let guides = Guides {
             guide: Image::new(EXTENT, pack_guide(&self.now)),
@@ -68,10 +62,7 @@ impl Scene {
                 ..inputs(&guides, &[&new])
             },
         );
-        (
-            output.irradiance[0].get(3, 3).expect("inside")[0],
-            unpack_luminance_history(*output.luminance_history[0].get(3, 3).expect("inside")),
-        )
+        (output.irradiance[0].get(3, 3).expect("inside")[0], *output.luminance_history[0].get(3, 3).expect("inside"))
     }
 
     #[track_caller]
@@ -172,10 +163,7 @@ fn another_render_extent_is_scaled() {
     let tuning = Tuning { alpha: 0.0, alpha_moments: 0.0, max_history_length: 1024.0, ..svgf_tuning() };
     let guides = guides(now, |_, _| surface(4.0));
     let columns = paint(now, |x, _| [[8.0, 16.0, 99.0, 99.0][x as usize]; 4]);
-    let luminance_history = Image::new(
-        now,
-        pack_luminance_history(&LuminanceHistory { mean: 8.0, history_length: 1e3, ..LuminanceHistory::default() }),
-    );
+    let luminance_history = Image::new(now, LuminanceHistory { mean: 8.0, history_length: 1e3, ..LuminanceHistory::default() });
     let output = temporal_accumulation(
         &frame,
         &tuning,

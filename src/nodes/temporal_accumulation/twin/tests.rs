@@ -66,7 +66,7 @@ fn alpha_zero_is_the_running_mean_and_the_sample_variance() {
             let so_far = || samples[..=i].iter().map(|s| s.texels()[j][0]);
             let mean = so_far().sum::<f32>() / n;
             let variance = so_far().map(|l| (l - mean) * (l - mean)).sum::<f32>() / n;
-            let luminance_history = unpack_luminance_history(output.luminance_history[0].texels()[j]);
+            let luminance_history = output.luminance_history[0].texels()[j];
             assert!((texel[0] - mean).abs() < 1e-3, "frame {i}: {} for {mean}", texel[0]);
             assert!((luminance_history.mean - mean).abs() < 1e-3);
             assert!(
@@ -87,13 +87,13 @@ fn alpha_bounds_the_weight_of_a_new_sample() {
     let luminance_history = LuminanceHistory { mean: 1.0, deviation: 0.5, history_length: 100.0, reason: 0 };
     let previous = TemporalAccumulationOutputs {
         irradiance: vec![grey(EXTENT, 1.0)],
-        luminance_history: vec![Image::new(EXTENT, pack_luminance_history(&luminance_history))],
+        luminance_history: vec![Image::new(EXTENT, luminance_history)],
         statistics: Statistics::default(),
     };
     let (frame, tuning) = (frame(EXTENT), Tuning { alpha: 0.25, alpha_moments: 0.5, ..svgf_tuning() });
     let output = tuned(&frame, &tuning, &guides, &grey(EXTENT, 3.0), Some(&previous));
     assert_eq!(output.irradiance[0].texels()[7][0], 1.5);
-    let luminance_history = unpack_luminance_history(output.luminance_history[0].texels()[7]);
+    let luminance_history = output.luminance_history[0].texels()[7];
     assert!((luminance_history.mean - 2.0).abs() < 1e-3);
     assert!((luminance_history.deviation - (0.5_f32 * (0.25 + 0.5 * 4.0)).sqrt()).abs() < 1e-3, "{luminance_history:?}");
     assert_eq!(luminance_history.history_length, 101.0);
@@ -101,7 +101,7 @@ fn alpha_bounds_the_weight_of_a_new_sample() {
     let capped = Tuning { alpha: 0.0, alpha_moments: 0.0, max_history_length: 4.0, ..tuning };
     let output = tuned(&frame, &capped, &guides, &grey(EXTENT, 3.0), Some(&previous));
     assert_eq!(output.irradiance[0].texels()[7][0], 1.5);
-    assert_eq!(unpack_luminance_history(output.luminance_history[0].texels()[7]).history_length, 4.0);
+    assert_eq!(output.luminance_history[0].texels()[7].history_length, 4.0);
 }
 
 #[test]
@@ -111,10 +111,7 @@ fn a_constant_image_is_a_fixed_point() {
     for _ in 0..8 {
         output = step(&frame(EXTENT), &guides, &constant, Some(&output));
         assert_eq!(output.irradiance[0], constant);
-        assert!(
-            output.luminance_history[0].texels().iter().all(|m| unpack_luminance_history(*m).deviation < 0.1),
-            "half a step of the mean, 70"
-        );
+        assert!(output.luminance_history[0].texels().iter().all(|m| m.deviation < 0.1), "half a step of the mean, 70");
     }
 }
 
@@ -127,9 +124,10 @@ fn exposure_scales_the_history() {
     let next = step(&scaled, &guides, &bright, Some(&first));
     let doubled = TemporalAccumulationOutputs {
         irradiance: vec![first.irradiance[0].map(|t| t.map(|x| 2.0 * x))],
-        luminance_history: vec![first.luminance_history[0].map(|m| {
-            let m = unpack_luminance_history(*m);
-            pack_luminance_history(&LuminanceHistory { mean: 2.0 * m.mean, deviation: 2.0 * m.deviation, ..m })
+        luminance_history: vec![first.luminance_history[0].map(|m| LuminanceHistory {
+            mean: 2.0 * m.mean,
+            deviation: 2.0 * m.deviation,
+            ..*m
         })],
         statistics: Statistics::default(),
     };
@@ -146,12 +144,15 @@ fn a_reset_frame_is_a_first_frame_and_reads_nothing() {
     let c = noise(EXTENT, 5);
     let poison = TemporalAccumulationOutputs {
         irradiance: vec![Image::new(EXTENT, [f32::NAN; 4])],
-        luminance_history: vec![Image::new(EXTENT, [0x7e00; 4])],
+        luminance_history: vec![Image::new(
+            EXTENT,
+            LuminanceHistory { mean: f32::NAN, deviation: f32::NAN, history_length: f32::NAN, reason: 0 },
+        )],
         statistics: Statistics::default(),
     };
     let first = step(&frame(EXTENT), &guides, &c, None);
     assert_eq!(step(&reset(frame(EXTENT)), &guides, &c, Some(&poison)), first);
-    let luminance_history = first.luminance_history[0].map(|m| unpack_luminance_history(*m));
+    let luminance_history = &first.luminance_history[0];
     assert_eq!(
         (luminance_history.texels()[0].reason, luminance_history.texels()[1].reason),
         (Reason::None as u16, Reason::Reset as u16)
@@ -166,7 +167,7 @@ fn the_background_passes_with_its_luminance() {
     let first = step(&frame(EXTENT), &guides, &noise(EXTENT, 1), None);
     let output = step(&frame(EXTENT), &guides, &sky, Some(&first));
     assert_eq!(output.irradiance[0], sky);
-    let luminance_history = unpack_luminance_history(output.luminance_history[0].texels()[3]);
+    let luminance_history = output.luminance_history[0].texels()[3];
     assert!((luminance_history.mean - 1.8596).abs() < 1e-3);
     assert_eq!((luminance_history.deviation, luminance_history.history_length, luminance_history.reason), (0.0, 1.0, 0));
 }
@@ -188,14 +189,14 @@ fn neither_parity_nor_the_allocation_changes_a_bit() {
         assert_eq!(crop(&loose_output.irradiance[0], EXTENT), tight_output.irradiance[0]);
         assert_eq!(crop(&loose_output.luminance_history[0], EXTENT), tight_output.luminance_history[0]);
     }
-    assert!(unpack_luminance_history(tight_output.luminance_history[0].texels()[0]).history_length == 5.0);
+    assert!(tight_output.luminance_history[0].texels()[0].history_length == 5.0);
 }
 
 #[test]
 fn a_hole_keeps_its_history_and_a_filled_one_counts_for_less() {
     let guides = flat(EXTENT);
     let luminance_history = LuminanceHistory { mean: 1.0, deviation: 0.5, history_length: 4.0, reason: 0 };
-    let signal = (grey(EXTENT, 1.0), Image::new(EXTENT, pack_luminance_history(&luminance_history)));
+    let signal = (grey(EXTENT, 1.0), Image::new(EXTENT, luminance_history));
     let signals = [SignalHistory { irradiance: &signal.0, luminance_history: &signal.1 }; 2];
     let [sample, filled] = [0.0, HOLE].map(|alpha| Image::new(EXTENT, [3.0, 3.0, 3.0, alpha]));
     let tuning = Tuning { alpha: 0.0, alpha_moments: 0.0, ..Tuning::default() };
@@ -208,9 +209,7 @@ fn a_hole_keeps_its_history_and_a_filled_one_counts_for_less() {
             ..inputs(&guides, &[])
         };
         let output = temporal_accumulation(&frame(EXTENT), &tuning, &inputs);
-        let of = |i: usize| {
-            (output.irradiance[i].texels()[7][0], unpack_luminance_history(output.luminance_history[i].texels()[7]).history_length)
-        };
+        let of = |i: usize| (output.irradiance[i].texels()[7][0], output.luminance_history[i].texels()[7].history_length);
         [of(0), of(1)]
     };
     let previous = Some(PreviousFrame { guide: &guides.guide, signals: &signals });
@@ -226,7 +225,7 @@ fn a_hole_keeps_its_history_and_a_filled_one_counts_for_less() {
 fn a_hole_that_nothing_fills_keeps_its_history_and_is_none() {
     let guides = flat(EXTENT);
     let luminance_history = LuminanceHistory { mean: 1.0, deviation: 0.5, history_length: 4.0, reason: 0 };
-    let signal = (grey(EXTENT, 1.0), Image::new(EXTENT, pack_luminance_history(&luminance_history)));
+    let signal = (grey(EXTENT, 1.0), Image::new(EXTENT, luminance_history));
     let signals = [SignalHistory { irradiance: &signal.0, luminance_history: &signal.1 }];
     let (empty, sample) = (Image::new(EXTENT, [0.0, 0.0, 0.0, EMPTY_HOLE]), grey(EXTENT, 3.0));
     let changed = Image::new(EXTENT, 0.0);
@@ -245,13 +244,13 @@ fn a_hole_that_nothing_fills_keeps_its_history_and_is_none() {
     for confidence in [None, Some(&changed)] {
         let (kept, after) = step(&empty, confidence, Some(&signals));
         assert_eq!(kept.texels()[7][0], 1.0);
-        let after = unpack_luminance_history(after.texels()[7]);
+        let after = after.texels()[7];
         assert_eq!((after.mean, after.deviation), (1.0, 0.5));
     }
     // Without a history there is none for the next frame either.
     let (irradiance, luminance_history) = step(&empty, None, None);
-    assert_eq!(unpack_luminance_history(luminance_history.texels()[7]).history_length, 0.0);
+    assert_eq!(luminance_history.texels()[7].history_length, 0.0);
     let (healed, luminance_history) =
         step(&sample, None, Some(&[SignalHistory { irradiance: &irradiance, luminance_history: &luminance_history }]));
-    assert_eq!((healed.texels()[7][0], unpack_luminance_history(luminance_history.texels()[7]).history_length), (3.0, 1.0));
+    assert_eq!((healed.texels()[7][0], luminance_history.texels()[7].history_length), (3.0, 1.0));
 }

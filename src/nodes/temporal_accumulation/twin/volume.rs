@@ -22,7 +22,7 @@ pub(crate) fn volume_accumulation(
     frame: &FrameConstants,
     tuning: &Tuning,
     inputs: &VolumeAccumulationInputs,
-) -> (Image<[f32; 4]>, Image<[u16; 4]>) {
+) -> (Image<[f32; 4]>, Image<LuminanceHistory>) {
     let previous = inputs.previous.filter(|_| !is_reset(frame));
     let rect = RenderRect::new(frame.previous_render_extent);
     let bounds = AlphaBounds::new(tuning, false, false, 0.0);
@@ -44,7 +44,7 @@ pub(crate) fn volume_accumulation(
             taps::find(s, refusal).unwrap_or_else(|| History::Disoccluded(refusal(taps::nearest(s))))
         });
         let (c, luminance_history) = accumulate(frame, inputs.radiance.at(p), history, bounds, signal, [1.0; 3]);
-        (c, pack_luminance_history(&luminance_history))
+        (c, luminance_history.in_halves())
     });
     (texels.map(|t| t.0), texels.map(|t| t.1))
 }

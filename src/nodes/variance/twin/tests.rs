@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::reference::test_scene::*;
-use crate::reference::{pack_luminance_history, Surface};
+use crate::reference::Surface;
 
 const EXTENT: [u32; 2] = [15, 13];
 
@@ -12,7 +12,7 @@ fn deviations(frame: &FrameConstants, guides: &Guides, luminance_history: &Image
         guide: &guides.guide,
         depth_gradient: &guides.depth_gradient,
         irradiance: &[&c],
-        luminance_history: &[&luminance_history.map(pack_luminance_history)],
+        luminance_history: &[luminance_history],
     };
     let output = variance(frame, &svgf_tuning(), &inputs).remove(0);
     let kept = |a: &[f32; 4], b: &[f32; 4]| (0..3).all(|i| a[i] == crate::reference::round_to_half(b[i]));
@@ -88,16 +88,20 @@ fn the_neighbourhood_ends_at_edges_and_at_the_background() {
 fn two_signals_and_a_larger_allocation_change_nothing() {
     let large = [40, 20];
     let (tight, loose) = (guides(EXTENT, |_, _| surface(4.0)), guides(large, |_, _| surface(4.0)));
-    let luminance_history = noise(EXTENT, 2).map(|t| pack_luminance_history(&of(t[0], 0.1, 2.0)));
+    let luminance_history = noise(EXTENT, 2).map(|t| of(t[0], 0.1, 2.0));
     let (a, b) = (noise(EXTENT, 3), noise(EXTENT, 4));
-    let run = |frame: &FrameConstants, guides: &Guides, irradiance: &[&Image<[f32; 4]>], luminance_history: &[&Image<[u16; 4]>]| {
+    let run = |frame: &FrameConstants,
+               guides: &Guides,
+               irradiance: &[&Image<[f32; 4]>],
+               luminance_history: &[&Image<LuminanceHistory>]| {
         let inputs = VarianceInputs { guide: &guides.guide, depth_gradient: &guides.depth_gradient, irradiance, luminance_history };
         variance(frame, &svgf_tuning(), &inputs)
     };
     let one = run(&frame(EXTENT), &tight, &[&b], &[&luminance_history]).remove(0);
-    let flat = Image::new(EXTENT, pack_luminance_history(&of(1.0, 0.0, 1.0)));
+    let flat = Image::new(EXTENT, of(1.0, 0.0, 1.0));
     assert_eq!(run(&frame(EXTENT), &tight, &[&a, &b], &[&flat, &luminance_history])[1], one);
     let in_large = FrameConstants { render_extent: EXTENT, frame_index: 5, ..frame(large) };
-    let (b, luminance_history) = (embed(&b, large, [f32::NAN; 4]), embed(&luminance_history, large, [0x7e00; 4]));
+    let (b, luminance_history) =
+        (embed(&b, large, [f32::NAN; 4]), embed(&luminance_history, large, of(f32::NAN, f32::NAN, f32::NAN)));
     assert_eq!(crop(&run(&in_large, &loose, &[&b], &[&luminance_history])[0], EXTENT), one);
 }

@@ -58,7 +58,7 @@ fn assert_good(engine: &Engine, frame: &FrameContext, pass: usize) {
         let what = format!("{} after {}", declaration.resource(u.resource).name, declaration.passes()[pass].name);
         match engine.stored[u.resource.0 as usize][declaration.copy(u, frame)].as_ref().expect(&what) {
             Texels::Colour(image) => assert!(all_finite(image), "{what}"),
-            Texels::Packed(image) if what.starts_with("luminance_history") => assert!(
+            Texels::Uint(image) if what.starts_with("luminance_history") => assert!(
                 image
                     .texels()
                     .iter()

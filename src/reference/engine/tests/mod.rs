@@ -68,7 +68,7 @@ impl Host {
     /// History of luminance of the first signal.
     fn luminance_history(&self) -> Image<LuminanceHistory> {
         match self.engine.texels("luminance_history", UseFrame::Current).expect("luminance_history") {
-            Texels::Packed(image) => image.map(|texel| unpack_luminance_history(*texel)),
+            Texels::Uint(image) => image.map(|texel| unpack_luminance_history(*texel)),
             other => panic!("luminance_history are {}", other.kind()),
         }
     }
