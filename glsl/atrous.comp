@@ -1,15 +1,16 @@
 #version 450
 // One level of the edge-avoiding à-trous wavelet transform, guided by variance, which it filters along.
 // Source: [SVGF] 4.3, eq. 1 to 5, on [EAW]. Deviation: the standard deviation is stored, not the variance.
-// In:  guide, depth_gradient, irradiance and deviation per signal. Out: the same after this level.
+// In:  guide, irradiance and deviation per signal. Out: the same after this level.
 // Constants: KERNEL: 0: the 5x5 B3 spline; 1: the 3x3 box of [ASVGF].
 // OURS: the luminance weight is a Gauss curve over deviations of means, which taps share; some of what it refuses stays on the centre, so that
 // rare light keeps its mean. Else [SVGF] eq. 5. VOLUME: steered by the depth of the surface behind alone, and less strictly [PSVGF]; the
 // background takes part. LAST: of a volume, what goes out: in the exposure of the host.
 // With SPECULAR the last signal no wider than the lobe of the surface blurs what is seen in it: by its radius on the screen, by normals within it,
 // and by hit distance [ours]; a mirror is not filtered at all.
-// optional: material_class
+// MATERIAL is a set of bindings of its own, since no other image could stand in for material_class.
 // variants: SIGNALS=1 SIGNALS=2 SIGNALS=1,SPECULAR=1 SIGNALS=2,SPECULAR=1
+// variants: SIGNALS=1,MATERIAL=1 SIGNALS=2,MATERIAL=1 SIGNALS=1,SPECULAR=1,MATERIAL=1 SIGNALS=2,SPECULAR=1,MATERIAL=1
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
@@ -22,7 +23,6 @@ layout(constant_id = 3) const bool OURS = false;
 layout(constant_id = 4) const bool LAST = false;
 
 layout(push_constant) uniform Push {
-    uint present;
     uint level;
     float sigma_l;
     float sigma_n;
@@ -54,7 +54,6 @@ layout(push_constant) uniform Push {
 
 // Storage images are read where there may be as many, for the reasons that packed_image.glsl has.
 PACKED_IMAGE(1, guide);
-layout(set = 0, binding = 2) uniform utexture2D depth_gradient;
 const uint INPUT_0 = 3u;
 const uint OUTPUT_0 = 4u;
 const uint INPUT_1 = 5u;
@@ -77,8 +76,10 @@ const uint MATERIAL_CLASS = REFLECTION + 1u;
 #else
 const uint MATERIAL_CLASS = REFLECTION;
 #endif
+#ifdef MATERIAL
 layout(set = 0, binding = MATERIAL_CLASS) uniform utexture2D material_class;
 #include "material.glsl"
+#endif
 
 const uint SPLINE_KERNEL = 0u;
 const uint BOX_KERNEL = 1u;
@@ -245,12 +246,15 @@ void main() {
 #endif
         return;
     }
-    Geometry geometry = geometry_of(packed, texelFetch(depth_gradient, p, 0).x);
+    Geometry geometry = geometry_of(packed);
+    sigma_l = push.sigma_l;
+#ifdef MATERIAL
     Material material = material_at(p);
-    sigma_l = push.sigma_l * material.light;
+    sigma_l *= material.light;
     // Tolerated depth is the gradient's share.
     geometry.surface.gradient *= material.depth;
     geometry.surface.normal_sharpness /= material.normal;
+#endif
 #ifdef SPECULAR
     Geometry glossy = geometry;
     Lobe lobe = lobe_of(p, packed, glossy.surface);

@@ -11,7 +11,7 @@
 //      where that alone is asked for, else every pixel.
 // Constants: SAMPLING: levels of [EAW] that fill the holes of a sub-sampled input; 0 where every pixel has a sample. STRATUM_SIZE: with
 // LUMINANCE; 1 without candidates.
-// optional: albedo, specular_albedo, specular_f0, specular_hit_distance, noisy_1, irradiance_1, compared_0, compared_1, noisy_red_blue, candidates
+// optional: albedo, specular_albedo, specular_f0, roughness, specular_hit_distance, noisy_1, irradiance_1, compared_0, compared_1, noisy_red_blue, candidates
 // variants: LUMINANCE=0 LUMINANCE=1
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -39,7 +39,6 @@ layout(push_constant) uniform Push {
 #if LUMINANCE
 #include "strata.glsl"
 #endif
-#include "specular_albedo.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -53,9 +52,9 @@ const uint SPECULAR_F0 = 12u;
 const uint SPECULAR_HIT_DISTANCE = 13u;
 const uint CANDIDATES = 15u;
 const uint SPECULAR_ALBEDO = 16u;
+const uint ROUGHNESS = 14u;
 
 layout(set = 0, binding = 2) uniform utexture2D guide;
-layout(set = 0, binding = 14) uniform utexture2D depth_gradient;
 layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
 layout(set = 0, binding = NOISY_0) uniform texture2D noisy_0;
 layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D irradiance_0;
@@ -71,6 +70,8 @@ layout(set = 0, binding = COMPARED_1) uniform texture2D compared_1;
 layout(set = 0, binding = NOISY_RED_BLUE, r32ui) uniform writeonly uimage2D noisy_red_blue;
 layout(set = 0, binding = CANDIDATES) uniform utexture2D candidates;
 #endif
+
+#include "specular_albedo.glsl"
 
 vec3 coat_at(ivec2 traced) { return texelFetch(specular_albedo, host_pixel(SPECULAR_ALBEDO, traced), 0).rgb; }
 
@@ -105,7 +106,7 @@ void add_hit_distance(inout vec4 irradiance, ivec2 p) {
 
 // A pixel without a sample, from those around it.
 vec4 filled(ivec2 p, uint binding, texture2D noisy, bool second) {
-    EdgeCentre centre = edge_centre(GuideBits(texelFetch(guide, p, 0)), unpack_depth_gradient(texelFetch(depth_gradient, p, 0).x));
+    EdgeCentre centre = edge_centre(GuideBits(texelFetch(guide, p, 0)));
     Filling sum = no_filling();
     [[dont_unroll]] for (int i = 0; i < 9; ++i) {
         ivec2 offset = ivec2(i % 3 - 1, i / 3 - 1), q = p + offset;

@@ -1,7 +1,7 @@
 #version 450
 // Gives pixels without a sample the mean of the samples around them that show the same surface: what a hole shows until it has a past.
 // Source: ours; weights by distance of [Shepard 1968], edges of [SVGF] eq. 3 and 4. Deviation: without edges where these let nothing pass.
-// In:  guide, depth_gradient; holed: irradiance, alpha -1 in holes. Out: filled (filled_irradiance): the same, without holes; alpha
+// In:  guide; holed: irradiance, alpha -1 in holes. Out: filled (filled_irradiance): the same, without holes; alpha
 //      stays -1, so that the accumulation knows what is no sample, and is -2 in a hole without any sample around it, which is counted as
 //      radiance that is not finite.
 // Constant: RADIUS of the window, pixels.
@@ -24,7 +24,6 @@ layout(push_constant) uniform Push {
 #include "hole_filling.glsl"
 
 layout(set = 0, binding = 2) uniform utexture2D guide;
-layout(set = 0, binding = 3) uniform utexture2D depth_gradient;
 layout(set = 0, binding = 4) uniform texture2D holed;
 layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D filled;
 
@@ -41,7 +40,7 @@ void main() {
     if (!is_inside(p)) return;
     vec4 texel = texelFetch(holed, p, 0);
     if (texel.a < 0.0) {
-        EdgeCentre centre = edge_centre(GuideBits(texelFetch(guide, p, 0)), unpack_depth_gradient(texelFetch(depth_gradient, p, 0).x));
+        EdgeCentre centre = edge_centre(GuideBits(texelFetch(guide, p, 0)));
         Filling sum = no_filling();
         [[dont_unroll]] for (int y = -RADIUS; y <= RADIUS; ++y)
             [[dont_unroll]] for (int x = -RADIUS; x <= RADIUS; ++x) add_tap(sum, p, ivec2(x, y), centre);

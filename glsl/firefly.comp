@@ -45,7 +45,6 @@ layout(set = 0, binding = 3, rgba16f) uniform image2D irradiance;
 #if DIFFERENCE
 layout(set = 0, binding = 4) uniform utexture2D previous_guide;
 layout(set = 0, binding = 5) uniform utexture2D surface_motion;
-layout(set = 0, binding = 6) uniform utexture2D depth_gradient;
 // Vulkan guarantees four storage images alone.
 layout(set = 0, binding = 7) uniform texture2D history;
 layout(set = 0, binding = 8) uniform utexture2D previous_luminance_history;

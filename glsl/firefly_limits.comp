@@ -4,7 +4,7 @@
 // Source: ours, on [PSVGF], firefly filter, which takes the limit of the own block. The largest one of the 3x3 blocks keeps a small lit corner
 // of a dark block; the wider neighbourhood tells a cluster of outliers, which lifts the percentiles of its own blocks; and light that comes
 // again at its place, as that of a caustic does, is no outlier.
-// In:  block_percentiles, irradiance. With RETURNING also guide (current, previous), surface_motion, depth_gradient, firefly_limits (previous).
+// In:  block_percentiles, irradiance. With RETURNING also guide (current, previous), surface_motion, firefly_limits (previous).
 // Out: firefly_limits, half2(limit, returning) of luminance, one texel a cell; a limit of 0 is none, and one below is that of a
 //      cluster.
 // variants: RETURNING=0 RETURNING=1
@@ -31,7 +31,6 @@ layout(set = 0, binding = 3) uniform texture2D irradiance;
 layout(set = 0, binding = 4) uniform utexture2D guide;
 layout(set = 0, binding = 5) uniform utexture2D previous_guide;
 layout(set = 0, binding = 6) uniform utexture2D surface_motion;
-layout(set = 0, binding = 7) uniform utexture2D depth_gradient;
 layout(set = 0, binding = 8) uniform utexture2D previous_firefly_limits;
 #endif
 

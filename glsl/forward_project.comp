@@ -2,7 +2,7 @@
 // Carries one pixel of every stratum of the previous frame to this frame, where the host shades it again with its surface and seed.
 // Source: [ASVGF] 3.1, 3.3. Deviations: of several samples for a stratum the one with the largest key wins, not the first to arrive, so that the
 // result does not depend on the order of execution; the host's G-buffer is not patched.
-// In:  guide (current, previous), depth_gradient, gradient_candidates of the previous frame; instance_transforms: previous from current world
+// In:  guide (current, previous), gradient_candidates of the previous frame; instance_transforms: previous from current world
 //      space by surface_id; forward_motion at the pixels of the previous frame: xy to this frame, z linear depth in this frame.
 // Out: claim (RESOLVE 0): gradient_claims. Resolve: gradient_samples, and gradient_candidates for the next frame.
 // Constants: STRATUM_SIZE. FORWARD_MOTION is a set of bindings of its own, since no other image could stand in for forward_motion.
@@ -32,7 +32,6 @@ const uint INSTANCE_TRANSFORMS = 6u;
 
 layout(set = 0, binding = 2) uniform utexture2D guide;
 layout(set = 0, binding = 3) uniform utexture2D previous_guide;
-layout(set = 0, binding = 4) uniform utexture2D depth_gradient;
 layout(set = 0, binding = 5) uniform utexture2D previous_candidates;
 layout(set = 0, binding = INSTANCE_TRANSFORMS, std430) readonly buffer InstanceTransforms { vec4 rows[]; } instance_transforms;
 #if RESOLVE
@@ -127,7 +126,7 @@ bool project_candidate(uint index, out ivec2 previous_pixel, out ivec2 pixel) {
     GuideBits now = GuideBits(texelFetch(guide, pixel, 0));
     float z_now = guide_depth(now);
     if (z_now == 0.0 || guide_id(now) != guide_id(packed)) return false;
-    return is_visible(position, z_now, unpack_depth_gradient(texelFetch(depth_gradient, pixel, 0).x), push.depth_tolerance);
+    return is_visible(position, z_now, guide_gradient(now), push.depth_tolerance);
 }
 
 #if RESOLVE

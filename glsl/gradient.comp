@@ -3,12 +3,12 @@
 // Source: [ASVGF] eq. 2, 3, 13, and 3.4 for mean and variance. Deviations: luminance is divided by that of the albedo, the previous frame's for
 // both; of a dense re-shaded image (SOURCE 1) all pixels of a stratum count, each at its place in the previous frame.
 // In:  guide, albedo, noisy radiance per signal. SOURCE 0: gradient_samples. SOURCE 1: reshaded_radiance, previous_guide, surface_motion,
-//      depth_gradient. Both: noisy_luminance of the previous frame, which demodulate.comp left. SOURCE 2: sparse_gradient of the host.
+//      Both: noisy_luminance of the previous frame, which demodulate.comp left. SOURCE 2: sparse_gradient of the host.
 // Out: gradient: δ, Δ, mean, deviation of luminance; gradient_guide. For the ratio of light: light_before and light_now, the mean radiance of
 //      the samples over the albedo's luminance; in light_before's alpha the mean of sqrt(before * now), summed over the components, in
 //      light_now's the root of the sum of the squares of the larger of both lights, over their number: how few samples hold the light.
 // Constants: SOURCE, where the change comes from; STRATUM_SIZE.
-// optional: albedo, noisy_1, gradient_samples, reshaded_radiance, previous_guide, surface_motion, depth_gradient, sparse_gradient
+// optional: albedo, noisy_1, gradient_samples, reshaded_radiance, previous_guide, surface_motion, sparse_gradient
 // optional: previous_luminance, previous_red_blue, light_before, light_now
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
@@ -39,7 +39,6 @@ const uint GRADIENT_SAMPLES = 7u;
 const uint RESHADED_RADIANCE = 8u;
 const uint PREVIOUS_GUIDE = 9u;
 const uint SURFACE_MOTION = 10u;
-const uint DEPTH_GRADIENT = 11u;
 const uint SPARSE_GRADIENT = 12u;
 const uint PREVIOUS_LUMINANCE = 13u;
 const uint PREVIOUS_RED_BLUE = 14u;
@@ -56,7 +55,6 @@ layout(set = 0, binding = GRADIENT_SAMPLES) uniform utexture2D gradient_samples;
 layout(set = 0, binding = RESHADED_RADIANCE) uniform texture2D reshaded_radiance;
 layout(set = 0, binding = PREVIOUS_GUIDE) uniform utexture2D previous_guide;
 layout(set = 0, binding = SURFACE_MOTION) uniform utexture2D surface_motion;
-layout(set = 0, binding = DEPTH_GRADIENT) uniform utexture2D depth_gradient;
 layout(set = 0, binding = SPARSE_GRADIENT) uniform texture2D sparse_gradient;
 layout(set = 0, binding = PREVIOUS_LUMINANCE) uniform utexture2D previous_luminance;
 layout(set = 0, binding = PREVIOUS_RED_BLUE) uniform utexture2D previous_red_blue;
@@ -127,13 +125,13 @@ bool previous_pixel_of(ivec2 p, GuideBits packed, out ivec2 j) {
     float z = guide_depth(before);
     if (z == 0.0 || guide_id(before) != guide_id(packed)) return false;
     float expected = guide_depth(packed) * (1.0 + m.depth_ratio);
-    vec2 slope = abs(unpack_depth_gradient(texelFetch(depth_gradient, p, 0).x));
+    vec2 slope = abs(guide_gradient(packed));
     return abs(z - expected) <= push.depth_tolerance * expected + slope.x + slope.y;
 }
 
 void add_reshaded(inout Sum sum, ivec2 p, GuideBits packed) {
     ivec2 j;
-    bool known = is_present(RESHADED_RADIANCE) && is_present(PREVIOUS_GUIDE) && is_present(SURFACE_MOTION) && is_present(DEPTH_GRADIENT);
+    bool known = is_present(RESHADED_RADIANCE) && is_present(PREVIOUS_GUIDE) && is_present(SURFACE_MOTION);
     if (has_flag(FLAG_RESET) || !known || !previous_pixel_of(p, packed, j)) return;
     vec3 radiance = texelFetch(reshaded_radiance, host_pixel(RESHADED_RADIANCE, j), 0).rgb;
     if (is_finite(radiance)) add_change(sum, half_range(exposed(radiance)), light_of(j), j);

@@ -1,7 +1,7 @@
 #version 450
 // One iteration of the reconstruction of the temporal gradient: strata without a sample take it from their surroundings, noise goes.
 // Source: [ASVGF] 3.4, eq. 7 to 12. Deviation: a standard deviation is stored, not the variance.
-// In:  gradient_guide, depth_gradient; δ, Δ, mean and deviation of luminance per stratum. Out: the same after this iteration. With RATIO
+// In:  gradient_guide, guide; δ, Δ, mean and deviation of luminance per stratum. Out: the same after this iteration. With RATIO
 //      light_before and light_now as well, and out of the LAST iteration, instead of light_before, light_ratio: by which the light of each
 //      component changed, in alpha its coherence, -1 in the background (ours; src/nodes/gradient_atrous/specification.md). Both are filtered no wider than the ratio
 //      needs to be known.
@@ -27,7 +27,7 @@ layout(push_constant) uniform Push {
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(set = 0, binding = 2) uniform utexture2D depth_gradient;
+layout(set = 0, binding = 2) uniform utexture2D guide;
 layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D gradient_out;
 #if RATIO
 layout(set = 0, binding = 1) uniform utexture2D gradient_guide;
@@ -130,7 +130,7 @@ void main() {
         return;
     }
     ivec2 p = pixel_of(s, packed);
-    EdgeCentre surface = edge_centre(packed, unpack_depth_gradient(texelFetch(depth_gradient, p, 0).x));
+    EdgeCentre surface = edge_centre(GuideBits(texelFetch(guide, p, 0)));
     float sharpness = LOG2_E / (push.sigma_l * centre.w + LUMINANCE_EPSILON);
     vec3 sum = centre.xyz;
     float variance = centre.w * centre.w, weight_sum = 1.0;

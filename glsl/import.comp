@@ -4,10 +4,10 @@
 // Source: the encodings are the host's (Conventions); the depth gradient is that of [SVGF] eq. 3.
 // In:  depth, normal, motion, roughness, surface_id, object_normal as the host encodes them; albedo;
 //      instance_transforms: previous from current world space by surface_id, three rows of four.
-// Out: guide, surface_motion, depth_gradient, object_normal_guide (docs/specification/packed_images.md).
-// SURFACE_ID is a set of bindings of its own, since no other image could stand in for surface_id.
-// optional: albedo, motion, roughness, instance_transforms, object_normal, object_normal_guide
-// variants: SURFACE_ID=0 SURFACE_ID=1
+// Out: guide, surface_motion, object_normal_guide (docs/specification/packed_images.md).
+// SURFACE_ID and OBJECT_NORMALS are sets of bindings of their own, since no other image could stand in for surface_id and object_normal_guide.
+// optional: albedo, motion, roughness, instance_transforms
+// variants: SURFACE_ID=0,OBJECT_NORMALS=0 SURFACE_ID=1,OBJECT_NORMALS=0 SURFACE_ID=0,OBJECT_NORMALS=1 SURFACE_ID=1,OBJECT_NORMALS=1
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
@@ -35,7 +35,6 @@ const uint MOTION = 4u;
 const uint ROUGHNESS = 5u;
 const uint INSTANCE_TRANSFORMS = 6u;
 const uint OBJECT_NORMAL = 10u;
-const uint OBJECT_NORMAL_GUIDE = 11u;
 const uint SURFACE_ID_IMAGE = 12u;
 const uint ALBEDO = 13u;
 
@@ -47,9 +46,10 @@ layout(set = 0, binding = INSTANCE_TRANSFORMS, std430) readonly buffer InstanceT
 layout(set = 0, binding = 7, rgba16ui) uniform writeonly uimage2D guide;
 layout(set = 0, binding = 8, rgba16ui) uniform writeonly uimage2D surface_motion;
 layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
-layout(set = 0, binding = 9, r32ui) uniform writeonly uimage2D depth_gradient;
+#if OBJECT_NORMALS
 layout(set = 0, binding = OBJECT_NORMAL) uniform texture2D object_normal;
-layout(set = 0, binding = OBJECT_NORMAL_GUIDE, r32ui) uniform writeonly uimage2D object_normal_guide;
+layout(set = 0, binding = 11, r32ui) uniform writeonly uimage2D object_normal_guide;
+#endif
 #if SURFACE_ID
 layout(set = 0, binding = SURFACE_ID_IMAGE) uniform utexture2D surface_id;
 #endif
@@ -88,16 +88,17 @@ void main() {
     if (bad_normal && !background) count_bad(BAD_NORMAL);
     float rough = is_present(ROUGHNESS) ? stored_roughness(texelFetch(roughness, host_pixel(ROUGHNESS, p), 0)) : 1.0;
     if (!background && !is_roughness(rough)) count_bad(BAD_ROUGHNESS);
-    imageStore(guide, to, background ? uvec4(0u) : pack_guide(Guide(z, is_present(ALBEDO) && is_dark(texelFetch(albedo, host_pixel(ALBEDO, p), 0).rgb), n, roughness_of(rough), fold_id(id))).bits);
     SurfaceMotion moved = motion_of(p, z, id, n);
     moved.motion *= side;
     uvec4 packed_motion = pack_surface_motion(moved);
     imageStore(surface_motion, to, background ? uvec4(packed_motion.xy, 0u, 0u) : packed_motion);
+    bool dark = is_present(ALBEDO) && is_dark(texelFetch(albedo, host_pixel(ALBEDO, p), 0).rgb);
     vec2 gradient = vec2(gradient_along(p, ivec2(1, 0), z, id), gradient_along(p, ivec2(0, 1), z, id)) * vec2(frame.light_ratio);
-    imageStore(depth_gradient, to, uvec4(background ? 0u : packHalf2x16(clamp(gradient, -65504.0, 65504.0)), 0u, 0u, 0u));
-    if (!is_present(OBJECT_NORMAL) || !is_present(OBJECT_NORMAL_GUIDE)) return;
+    imageStore(guide, to, background ? uvec4(0u) : pack_guide(Guide(z, dark, n, gradient, fold_id(id))).bits);
+#if OBJECT_NORMALS
     vec3 o = texelFetch(object_normal, host_pixel(OBJECT_NORMAL, p), 0).xyz;
     float squared = dot(o, o);
     bool usable = is_finite(o) && is_finite(squared) && squared >= 1e-8;
     imageStore(object_normal_guide, to, uvec4(pack_octahedral(usable ? o * inversesqrt(squared) : vec3(0.0, 0.0, 1.0), 511.0, 10u), 0u, 0u, 0u));
+#endif
 }

@@ -7,7 +7,7 @@
 //      or specular_f0; guide, with UPSAMPLED of the pixels with light, and rendered_guide of all. Out: denoised_radiance, linear Rec. 709.
 // Constant SPECULAR: the second signal is specular light. Without it both albedos add up, as those of mixed light do.
 // variants: FLOAT=0 FLOAT=1 FLOAT=0,UPSAMPLED=1 FLOAT=1,UPSAMPLED=1
-// optional: albedo, emission, filtered_1, specular_albedo, specular_f0
+// optional: albedo, emission, filtered_1, specular_albedo, specular_f0, roughness
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
@@ -27,7 +27,6 @@ layout(push_constant) uniform Push {
 #include "guide.glsl"
 #include "outgoing.glsl"
 #include "demodulation.glsl"
-#include "specular_albedo.glsl"
 
 layout(local_size_x = 32, local_size_y = 4) in;
 
@@ -38,6 +37,7 @@ const uint FILTERED_0 = 6u;
 const uint FILTERED_1 = 7u;
 const uint SPECULAR_ALBEDO = 8u;
 const uint SPECULAR_F0 = 9u;
+const uint ROUGHNESS = 11u;
 
 #if UPSAMPLED
 layout(set = 0, binding = 2) uniform utexture2D rendered_guide;
@@ -54,6 +54,8 @@ layout(set = 0, binding = FILTERED_0) uniform texture2D filtered_0;
 layout(set = 0, binding = FILTERED_1) uniform texture2D filtered_1;
 layout(set = 0, binding = SPECULAR_ALBEDO) uniform texture2D specular_albedo;
 layout(set = 0, binding = SPECULAR_F0) uniform texture2D specular_f0;
+
+#include "specular_albedo.glsl"
 
 vec3 factor_at(ivec2 p, GuideBits packed) {
     if (!is_present(ALBEDO) || guide_depth(packed) == 0.0) return vec3(1.0);

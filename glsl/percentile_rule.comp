@@ -1,7 +1,7 @@
 #version 450
 // How far the history of a pixel is still true: as far as it lies within the percentiles of this frame. No re-shaded samples are needed.
 // Source: [PSVGF], adaptive accumulation, the published rule.
-// In:  guide (current, previous), surface_motion, depth_gradient; per signal block_percentiles, irradiance_history (previous).
+// In:  guide (current, previous), surface_motion; per signal block_percentiles, irradiance_history (previous).
 // Out: history_confidence, 1 (keep) to 0 (drop); the least of the signals.
 // optional: block_percentiles_1, history_1
 #extension GL_EXT_samplerless_texture_functions : require
@@ -32,7 +32,6 @@ layout(set = 0, binding = HISTORY_CONFIDENCE, r32f) uniform writeonly image2D hi
 layout(set = 0, binding = 2) uniform utexture2D guide;
 layout(set = 0, binding = 3) uniform utexture2D previous_guide;
 layout(set = 0, binding = 4) uniform utexture2D surface_motion;
-layout(set = 0, binding = 5) uniform utexture2D depth_gradient;
 layout(set = 0, binding = 6) uniform utexture2D block_percentiles_0;
 layout(set = 0, binding = 7) uniform texture2D history_0;
 layout(set = 0, binding = BLOCK_PERCENTILES_1) uniform utexture2D block_percentiles_1;
@@ -67,7 +66,7 @@ float kept(ivec2 p, ivec2 tap, utexture2D blocks, texture2D history) {
 
 float confidence_at(ivec2 p) {
     ivec2 tap;
-    if (!nearest_history(p, GuideBits(texelFetch(guide, p, 0)), surface_motion, depth_gradient, previous_guide, tap)) return 1.0;
+    if (!nearest_history(p, GuideBits(texelFetch(guide, p, 0)), surface_motion, previous_guide, tap)) return 1.0;
     float confidence = kept(p, tap, block_percentiles_0, history_0);
     if (is_present(BLOCK_PERCENTILES_1) && is_present(HISTORY_1)) confidence = min(confidence, kept(p, tap, block_percentiles_1, history_1));
     return confidence;

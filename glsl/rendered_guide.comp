@@ -1,8 +1,8 @@
 #version 450
 // The guide of every rendered pixel, where light has fewer: from the host's images, as import has it of the pixels with light.
-// Source: ours. In: depth, normal, roughness, surface_id as the host encodes them; albedo. Out: rendered_guide
+// Source: ours. In: depth, normal, surface_id as the host encodes them; albedo. Out: rendered_guide
 // (docs/specification/packed_images.md).
-// optional: albedo, roughness
+// optional: albedo
 // variants: SURFACE_ID=0 SURFACE_ID=1
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
@@ -16,19 +16,16 @@ layout(push_constant) uniform Push {
 #include "viewport.glsl"
 #include "demodulation.glsl"
 #include "optional.glsl"
-#include "roughness.glsl"
 
 layout(local_size_x = 64) in;
 
 const uint DEPTH = 1u;
 const uint NORMAL = 2u;
-const uint ROUGHNESS = 3u;
 const uint ALBEDO = 4u;
 const uint SURFACE_ID_IMAGE = 6u;
 
 layout(set = 0, binding = DEPTH) uniform texture2D depth;
 layout(set = 0, binding = NORMAL) uniform texture2D normal;
-layout(set = 0, binding = ROUGHNESS) uniform texture2D roughness;
 layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
 layout(set = 0, binding = 5, rgba16ui) uniform writeonly uimage2D rendered_guide;
 #if SURFACE_ID
@@ -46,7 +43,6 @@ void main() {
     float z = depth_of(texelFetch(depth, host_pixel(DEPTH, p), 0).x, id, p);
     bool bad;
     vec3 n = world_normal(p, bad);
-    float rough = is_present(ROUGHNESS) ? stored_roughness(texelFetch(roughness, host_pixel(ROUGHNESS, p), 0)) : 1.0;
     bool dark = is_present(ALBEDO) && is_dark(texelFetch(albedo, host_pixel(ALBEDO, p), 0).rgb);
-    imageStore(rendered_guide, p, z == 0.0 ? uvec4(0u) : pack_guide(Guide(z, dark, n, roughness_of(rough), fold_id(id))).bits);
+    imageStore(rendered_guide, p, z == 0.0 ? uvec4(0u) : pack_guide(Guide(z, dark, n, vec2(0.0), fold_id(id))).bits);
 }

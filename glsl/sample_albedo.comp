@@ -6,7 +6,7 @@
 //      divided. candidate_albedo of the previous frame. In place, pixels of samples only: irradiance per signal. Out: candidate_albedo: rgb: divisor
 //      at the candidate of every stratum.
 // Constants: STRATUM_SIZE. SPECULAR: the second signal is specular light, with a candidate_albedo of its own.
-// optional: irradiance_1, albedo, specular_f0, specular_albedo, previous_candidate_albedo_1, candidate_albedo_1
+// optional: irradiance_1, albedo, specular_f0, roughness, specular_albedo, previous_candidate_albedo_1, candidate_albedo_1
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 
@@ -20,7 +20,6 @@ layout(push_constant) uniform Push {
 #include "viewport.glsl"
 #include "optional.glsl"
 #include "guide.glsl"
-#include "specular_albedo.glsl"
 #include "strata.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -29,6 +28,7 @@ const uint IRRADIANCE_1 = 7u;
 const uint ALBEDO = 8u;
 const uint SPECULAR_F0 = 9u;
 const uint SPECULAR_ALBEDO = 10u;
+const uint ROUGHNESS = 13u;
 
 layout(set = 0, binding = 1) uniform utexture2D guide;
 layout(set = 0, binding = 2) uniform utexture2D gradient_samples;
@@ -42,6 +42,8 @@ layout(set = 0, binding = SPECULAR_F0) uniform texture2D specular_f0;
 layout(set = 0, binding = SPECULAR_ALBEDO) uniform texture2D specular_albedo;
 layout(set = 0, binding = 11) uniform texture2D previous_candidate_albedo_1;
 layout(set = 0, binding = 12, rgba16f) uniform writeonly image2D candidate_albedo_1;
+
+#include "specular_albedo.glsl"
 
 // As candidate_albedo has it: the same divisor gives a factor of 1.
 vec3 as_halves(vec3 v) {

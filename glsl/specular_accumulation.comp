@@ -3,7 +3,7 @@
 // Source: virtual motion of reflections [Zimmer et al. 2015]; two reprojections of which the better one counts [Stachowiak 2015]; the blend is
 // that of [SVGF] 4.1. How much each past is worth is ours: as many frames as it takes until its error in pixels passes the width of the lobe, or
 // its error in light the noise of a sample. Without hit distances the image is sought where that of a thing at infinity was.
-// In:  guide (current, previous), surface_motion, depth_gradient; noisy: specular irradiance, hit distance; roughness of the host; history and
+// In:  guide (current, previous), surface_motion; noisy: specular irradiance, hit distance; roughness of the host; history and
 //      moments of the previous frame, and its reflection; history_confidence as in temporal_accumulation.comp; by which instances the mirror
 //      and the thing in it move: specular_hit_id, surface_id, instance_transforms; or the thing by the host: specular_motion, scene units.
 //      Of mixed light: albedo and specular_albedo, which tell how much of it a lobe explains. material_class.
@@ -63,7 +63,6 @@ const uint MATERIAL_CLASS = 21u;
 
 layout(set = 0, binding = 2) uniform utexture2D previous_guide;
 layout(set = 0, binding = 3) uniform utexture2D surface_motion;
-layout(set = 0, binding = 4) uniform utexture2D depth_gradient;
 layout(set = 0, binding = 5) uniform texture2D noisy;
 layout(set = 0, binding = ROUGHNESS) uniform texture2D roughness;
 layout(set = 0, binding = HISTORY_CONFIDENCE) uniform texture2D history_confidence;
@@ -177,7 +176,7 @@ struct Past {
 
 Centre centre_of(ivec2 p, GuideBits packed, float origin) {
     SurfaceMotion m = unpack_surface_motion(texelFetch(surface_motion, p, 0));
-    vec2 gradient = unpack_depth_gradient(texelFetch(depth_gradient, p, 0).x);
+    vec2 gradient = guide_gradient(packed);
     Expected expected = with_tolerances(expected_surface(packed, m, gradient, m.previous_normal), material.depth, material.normal);
     return Centre(mirror_at(p, packed, m.motion), guide_depth(packed), expected, origin);
 }

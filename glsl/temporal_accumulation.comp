@@ -1,7 +1,7 @@
 #version 450
 // Blends every pixel with its own past: back-projected by motion, tap by tap tested against depth, normal and id.
 // Source: [SVGF] 4.1. Deviations: alpha is at least 1/N; moments are kept as mean and deviation.
-// In:  guide (current, previous), surface_motion, depth_gradient, irradiance_history and luminance_history of the previous frame; object normals in the
+// In:  guide (current, previous), surface_motion, irradiance_history and luminance_history of the previous frame; object normals in the
 //      place of those of the guide; material_class; history_confidence: [ASVGF] 3.5, alpha by pixel; light_ratio per stratum: ours, history follows the light.
 // In place: irradiance, from noisy to accumulated with the history length in alpha, own pixel only. Out: new_luminance.
 // Counts in statistics: surfaces with a history of their own, and those without by reason.
@@ -9,7 +9,7 @@
 // REPAIR: [PSVGF], disocclusion repair: a wider search, motion cut at the border of the image. SHARP: irradiance by the cubic of Catmull and
 // Rom, where all its 4x4 taps show the surface, so that history does not blur as it moves. STRATUM_SIZE: with light_ratio. A pixel with a
 // negative alpha has no sample of its own, and what was filled in weighs less: so each signal has a history length of its own.
-// optional: surface_motion, depth_gradient, volume_motion, object_normal, previous_object_normal, history_confidence, light_ratio, material_class
+// optional: surface_motion, volume_motion, object_normal, previous_object_normal, history_confidence, light_ratio, material_class
 // variants: SIGNALS=1 SIGNALS=2
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -45,7 +45,6 @@ layout(push_constant) uniform Push {
 #include "volume.glsl"
 
 const uint SURFACE_MOTION = 4u;
-const uint DEPTH_GRADIENT = 5u;
 const uint VOLUME_MOTION = 6u;
 const uint OBJECT_NORMAL = 7u;
 const uint PREVIOUS_OBJECT_NORMAL = 8u;
@@ -56,7 +55,6 @@ const uint MATERIAL_CLASS = 19u;
 layout(set = 0, binding = 2) uniform utexture2D guide;
 PACKED_IMAGE(3, previous_guide);
 layout(set = 0, binding = SURFACE_MOTION) uniform utexture2D surface_motion;
-layout(set = 0, binding = DEPTH_GRADIENT) uniform utexture2D depth_gradient;
 layout(set = 0, binding = VOLUME_MOTION) uniform utexture2D volume_motion;
 layout(set = 0, binding = OBJECT_NORMAL) uniform utexture2D object_normal;
 layout(set = 0, binding = PREVIOUS_OBJECT_NORMAL) uniform utexture2D previous_object_normal;
@@ -211,7 +209,7 @@ Expected surface_expectation(ivec2 p, GuideBits packed, out vec2 motion) {
     SurfaceMotion m = SurfaceMotion(vec2(0.0), 0.0, guide_normal(packed));
     if (is_present(SURFACE_MOTION)) m = unpack_surface_motion(texelFetch(surface_motion, p, 0));
     motion = m.motion;
-    vec2 gradient = is_present(DEPTH_GRADIENT) ? unpack_depth_gradient(texelFetch(depth_gradient, p, 0).x) : vec2(0.0);
+    vec2 gradient = guide_gradient(packed);
     vec3 n = has_object_normals() ? unpack_object_normal(texelFetch(object_normal, p, 0).x) : m.previous_normal;
     return with_tolerances(expected_surface(packed, m, gradient, n), material.depth, material.normal);
 }

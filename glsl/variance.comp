@@ -1,7 +1,7 @@
 #version 450
 // Standard deviation of luminance: from the pixel's own past, or from 7x7 pixels around it while its past is short.
 // Source: [SVGF] 4.2. Deviation: the spatial estimate is scaled by spatial_variance_frames / N.
-// In:  guide, depth_gradient, new_luminance; irradiance, accumulated, with the history length in alpha. Out: estimate, the same with the
+// In:  guide, new_luminance; irradiance, accumulated, with the history length in alpha. Out: estimate, the same with the
 //      deviation in alpha; luminance_history, for the next frame.
 // Constants: ESTIMATOR: 0: as above; 1: [PSVGF], 5x5 pixels always take part, with a share that shrinks as the past grows; 2: the pixel's own
 // past alone; 3: of the accumulated mean, from 5x5 pixels without the structure that they show (ours); with FILLED neighbours
@@ -32,7 +32,6 @@ layout(push_constant) uniform Push {
 #include "packed_image.glsl"
 
 PACKED_IMAGE(1, guide);
-layout(set = 0, binding = 2) uniform utexture2D depth_gradient;
 PACKED_IMAGE_32(3, new_luminance_0);
 layout(set = 0, binding = 4) uniform texture2D irradiance_0;
 layout(set = 0, binding = 5, r32ui) uniform writeonly uimage2D luminance_history_0;
@@ -80,7 +79,7 @@ void add_tap(inout Window window, ivec2 p, Geometry geometry, ivec2 offset) {
 
 // First and second moment of each signal over the neighbourhood, about the means of the centre.
 void spatial_moments(ivec2 p, GuideBits packed, vec2 means, out vec2 sums[2]) {
-    Geometry geometry = geometry_of(packed, texelFetch(depth_gradient, p, 0).x);
+    Geometry geometry = geometry_of(packed);
     Window window = Window(means, vec2[](vec2(0.0), vec2(0.0)), 0.0);
     if (FADE) {
         [[unroll]] for (int y = -RADIUS; y <= RADIUS; ++y)
@@ -114,7 +113,7 @@ ivec2 pixel_of(ivec2 p, int i) { return nearest_inside(p + ivec2(i % SIDE, i / S
 
 // Geometry weights of 5x5 pixels.
 void weigh(ivec2 p, GuideBits packed, out float weights[PIXELS]) {
-    Geometry geometry = geometry_of(packed, texelFetch(depth_gradient, p, 0).x);
+    Geometry geometry = geometry_of(packed);
     [[unroll]] for (int i = 0; i < PIXELS; ++i) {
         ivec2 offset = ivec2(i % SIDE, i / SIDE) - SIDE / 2, q = p + offset, tap = nearest_inside(q);
         GuideBits packed_q = GuideBits(packed_at(guide, tap));

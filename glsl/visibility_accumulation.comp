@@ -3,7 +3,7 @@
 // Source: [Mehta et al. 2012], the filter's width from the distances of occluders; the search is that of [Fernando 2005]; history by [SVGF]
 // 4.1, bounded by the interval of [Wilson 1927]. Ours: how far a penumbra reaches, and that motion may not blur more than a penumbra does.
 // What casts a shadow is followed as [Zeng et al. 2021] 4.1.
-// In:  visibility_samples, sample_colours, guide (current, previous), surface_motion, depth_gradient, visibility_history and
+// In:  visibility_samples, sample_colours, guide (current, previous), surface_motion, visibility_history and
 // history_colours of the previous frame; of the host occluder_distance, which samples have rounded; occluder_id; occluder_motion, scene units;
 // instance_transforms; of further lights the same with _1 to _3 behind.
 // Out: visibility_history, history_colours (visibility.glsl).
@@ -63,7 +63,6 @@ PACKED_IMAGE(3, previous_guide);
 #define previous_guide_at(p) packed_at(previous_guide, p)
 #endif
 layout(set = 0, binding = 4) uniform utexture2D surface_motion;
-layout(set = 0, binding = 5) uniform utexture2D depth_gradient;
 layout(set = 0, binding = 6, WORDS_FORMAT) uniform restrict readonly uimage2D visibility_samples;
 layout(set = 0, binding = 7) uniform utexture2D previous_visibility_history;
 layout(set = 0, binding = OCCLUDER_DISTANCE) uniform texture2D occluder_distance;
@@ -429,11 +428,11 @@ void place_at(inout vec2 place, inout Expected expected, vec2 shadow, float dept
 }
 
 // The past of the shadows that reach the pixel, where they moved; else, and where one lay on no such surface, of the surface.
-void gather_pasts(inout Gathered past[MOST_LIGHTS], ivec2 p, GuideBits packed, vec2 gradient, Search found[MOST_LIGHTS], Centre centre,
+void gather_pasts(inout Gathered past[MOST_LIGHTS], ivec2 p, GuideBits packed, Search found[MOST_LIGHTS], Centre centre,
     bool sharpens) {
     SurfaceMotion m = unpack_surface_motion(texelFetch(surface_motion, p, 0));
     vec2 position = previous_position(p, m.motion, frame.render_extent, frame.previous_render_extent) - 0.5, shadows[MOST_LIGHTS];
-    Expected expected = expected_surface(packed, m, gradient, m.previous_normal);
+    Expected expected = expected_surface(packed, m, centre.edges.gradient, m.previous_normal);
     Receiver receiver = receiver_at(p, guide_depth(packed), m, position);
     bool moved[MOST_LIGHTS], wanted[MOST_LIGHTS];
     float depths[MOST_LIGHTS];
@@ -516,8 +515,8 @@ void main() {
         store(p, words, colours);
         return;
     }
-    vec2 gradient = unpack_depth_gradient(texelFetch(depth_gradient, p, 0).x), size = pixel_size(guide_depth(packed));
-    Centre centre = Centre(edge_centre(packed, gradient), size, max(size.x, size.y));
+    vec2 size = pixel_size(guide_depth(packed));
+    Centre centre = Centre(edge_centre(packed), size, max(size.x, size.y));
     WORDS words = sample_words(p), colours = sample_colour_words(p);
     Sample own[MOST_LIGHTS];
     Search found[MOST_LIGHTS];
@@ -535,7 +534,7 @@ void main() {
     EACH_LIGHT(around[light] = Window(0.0, VISIBLE(0.0)))
     EACH_LIGHT(if (uniform_light[light]) found[light] = search_of_one_kind(own[light]))
     if (!has_flag(FLAG_RESET)) {
-        gather_pasts(past, p, packed, gradient, found, centre, searches);
+        gather_pasts(past, p, packed, found, centre, searches);
         EACH_LIGHT(count_bad_occluder(light, p, own[light]))
     }
     EACH_LIGHT(radius[light] = radius_of(light) * distance_of(found[light], past[light]))

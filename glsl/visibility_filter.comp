@@ -1,7 +1,7 @@
 #version 450
 // One level of the filter of a visibility: along the surface, no wider than its penumbra, guided by variance.
 // Source: [Mehta et al. 2012], filter width from the penumbra; levels and weights as [SVGF] 4.3. Ours: how the levels share the width.
-// In:  guide, depth_gradient, visibility_history (distance of the occluder; with FIRST, and history_colours, the visibility as well);
+// In:  guide, visibility_history (distance of the occluder; with FIRST, and history_colours, the visibility as well);
 //      filter_in: half2(visibility, deviation of it), filter_in_colours: half2(green, blue). Out: filter_out, filter_out_colours: the same;
 //      with LAST denoised_visibility, of further lights with _1 to _3 behind.
 // variants: LAST=0,MANY=0,COLOUR=0 LAST=1,MANY=0,COLOUR=0 LAST=0,MANY=0,COLOUR=1 LAST=1,MANY=0,COLOUR=1
@@ -49,7 +49,6 @@ layout(push_constant) uniform Push {
 #include "light_radius.glsl"
 
 PACKED_IMAGE(1, guide);
-layout(set = 0, binding = 2) uniform utexture2D depth_gradient;
 // The first level has it as filter_in as well: in one layout.
 #if SIGNALS == 1
 PACKED_IMAGE_32(3, visibility_history);
@@ -249,7 +248,7 @@ void main() {
     EACH_LIGHT(found[light] = estimate_of(word_of(words, light), word_of(colours, light)))
     EACH_LIGHT(kernels[light] = kernel_of(light, word_of(history, light), found[light], size, any))
     if (guide_depth(packed) != 0.0 && any) {
-        EdgeCentre centre = edge_centre(packed, unpack_depth_gradient(texelFetch(depth_gradient, p, 0).x));
+        EdgeCentre centre = edge_centre(packed);
         if (push.level < ALONG_LEVELS) towards_lights(kernels, centre, p, found);
         filter_lights(found, kernels, centre, p, size);
     }

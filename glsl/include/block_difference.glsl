@@ -28,7 +28,7 @@ shared Sums sums[ROW_PIXELS];
 // Without branches: software Vulkan masks them, and then reads images a lane at a time.
 Sums sums_of(ivec2 pixel) {
     ivec2 p = nearest_inside(pixel), tap;
-    bool counts = nearest_history(p, GuideBits(guide_at(p)), surface_motion, depth_gradient, previous_guide, tap);
+    bool counts = nearest_history(p, GuideBits(guide_at(p)), surface_motion, previous_guide, tap);
     vec4 texel = irradiance_at(p);
     float now = luminance(texel.rgb);
     float before = min(luminance(history_at(tap).rgb) * frame.exposure_ratio, 65504.0);

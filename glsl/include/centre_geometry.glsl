@@ -17,8 +17,8 @@ bool is_filtered(GuideBits packed) { return VOLUME || guide_depth(packed) != 0.0
 // A surface takes from surfaces alone, a volume from every pixel.
 bool takes_part(Geometry centre, GuideBits packed_q) { return VOLUME || is_alike(centre.surface, packed_q); }
 
-Geometry geometry_of(GuideBits packed, uint gradient) {
-    return Geometry(edge_centre(packed, unpack_depth_gradient(gradient)), VOLUME ? volume_depth(packed) : 0.0);
+Geometry geometry_of(GuideBits packed) {
+    return Geometry(edge_centre(packed), VOLUME ? volume_depth(packed) : 0.0);
 }
 
 float depth_sharpness(Geometry centre, vec2 offset) {

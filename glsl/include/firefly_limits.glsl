@@ -75,7 +75,7 @@ FireflyLimit usual_limit(uint own) {
 float returning_before(ivec2 cell) {
 #if RETURNING
     ivec2 p = nearest_inside(cell * CELL_SIZE + CELL_SIZE / 2), tap;
-    if (!nearest_history(p, GuideBits(guide_at(p)), surface_motion, depth_gradient, previous_guide, tap)) return -1.0;
+    if (!nearest_history(p, GuideBits(guide_at(p)), surface_motion, previous_guide, tap)) return -1.0;
     // Between two cells, that of both.
     vec2 position = (vec2(tap) + 0.5) / float(CELL_SIZE) - 0.5;
     ivec2 last = (ivec2(frame.previous_render_extent) - 1) / CELL_SIZE;

@@ -20,12 +20,12 @@ struct EdgeCentre {
     float normal_sharpness; // per squared step
 };
 
-EdgeCentre edge_centre(GuideBits packed, vec2 gradient) {
+EdgeCentre edge_centre(GuideBits packed) {
     EdgeCentre centre;
     centre.depth = guide_depth(packed);
     centre.side = guide_is_dark(packed) ? -1.0 : 1.0;
     centre.normal = guide_normal_steps(packed);
-    centre.gradient = gradient;
+    centre.gradient = guide_gradient(packed);
     centre.normal_sharpness = LOG2_E * push.sigma_n * (0.5 / (NORMAL_STEPS * NORMAL_STEPS));
     return centre;
 }

@@ -11,15 +11,12 @@ struct Guide {
     float linear_depth;  // scene units; 0: background
     bool is_dark;        // the albedo divides little or nothing of the light
     vec3 normal;         // world space
-    float roughness;     // 0..1
+    vec2 gradient;       // of the depth, scene units per pixel
     uint id8;            // folded surface_id
 };
 
 uint half_bits(float x) { return packHalf2x16(vec2(x, 0.0)) & 0xffffu; }
 float half_value(uint bits) { return unpackHalf2x16(bits).x; }
-
-// Scene units per pixel.
-vec2 unpack_depth_gradient(uint packed) { return unpackHalf2x16(packed); }
 
 vec2 sign_not_zero(vec2 v) { return vec2(v.x >= 0.0 ? 1.0 : -1.0, v.y >= 0.0 ? 1.0 : -1.0); }
 
@@ -60,18 +57,53 @@ uint fold_id(uint id) { return id <= 255u ? id : 1u + pcg(id) % 255u; }
 // Steps from 0 to 1 of a component of the normal. An even number of them from -1 to 1, so that 0 and thereby the axes are exact.
 const float NORMAL_STEPS = 127.0;
 
-// The lowest 4 bits of the depth's mantissa make room for the roughness, or for another number below 16; its sign says what is dark.
-GuideBits pack_guide(Guide g) {
-    uint depth = floatBitsToUint(g.linear_depth) & ~0xfu | uint(floor(g.roughness * 15.0 + 0.5));
-    depth |= g.is_dark ? 0x80000000u : 0u;
-    uvec3 n = uvec3(floor(g.normal * NORMAL_STEPS + (NORMAL_STEPS + 0.5)));
-    return GuideBits(uvec4(depth & 0xffffu, depth >> 16, n.x | n.y << 8, n.z | g.id8 << 8));
+// The depth is a float of this exponent less, so that its two upper bits are free, between the least and the largest of these.
+const uint DEPTH_EXPONENT = 96u << 23;
+const float DEPTH_SCALE = 79228162514264337593543950336.0;
+const float LEAST_GUIDE_DEPTH = 1.0 / 1073741824.0;
+const float LARGEST_GUIDE_DEPTH = 4294967296.0;
+const uint DEPTH_BITS = 0x1ffff800u;
+const uint DARK_BIT = 0x80000000u;
+
+// The gradient of depth takes what the depth leaves, as a direction on a diamond, for which axes are exact, and the sum of its components over
+// the depth: taps on the plane of a surface ask how the two relate, more than how large they are.
+const float DIRECTIONS = 128.0;
+// Code 1 is 2^-14, and one step is a quarter of a power of 2.
+const uint LEAST_SLOPE = 451u;
+
+uint pack_gradient(vec2 gradient, float linear_depth) {
+    float sum = abs(gradient.x) + abs(gradient.y);
+    vec2 direction = gradient / max(sum, 1e-37);
+    float turn = direction.y >= 0.0 ? 1.0 - direction.x : 3.0 + direction.x;
+    uint slope = clamp(floatBitsToUint(sum / linear_depth) + 0x100000u >> 21, LEAST_SLOPE, LEAST_SLOPE + 63u) - LEAST_SLOPE;
+    return slope == 0u ? 0u : slope << 7 | uint(floor(turn * (DIRECTIONS / 4.0) + 0.5)) & 127u;
 }
 
+vec2 unpack_gradient(uint code, float linear_depth) {
+    float turn = float(code & 127u) * (4.0 / DIRECTIONS);
+    vec2 direction = vec2(abs(2.0 - turn) - 1.0, turn <= 2.0 ? 1.0 - abs(turn - 1.0) : abs(turn - 3.0) - 1.0);
+    uint slope = code >> 7;
+    return slope == 0u ? vec2(0.0) : direction * (uintBitsToFloat(slope + LEAST_SLOPE << 21) * linear_depth);
+}
+
+GuideBits pack_guide(Guide g) {
+    float linear_depth = clamp(g.linear_depth, LEAST_GUIDE_DEPTH, LARGEST_GUIDE_DEPTH);
+    uint depth = floatBitsToUint(linear_depth) - DEPTH_EXPONENT + 0x400u & DEPTH_BITS | (g.is_dark ? DARK_BIT : 0u);
+    uint gradient = pack_gradient(g.gradient, linear_depth);
+    uint word = depth | gradient & 0x7ffu | gradient >> 11 << 29;
+    uvec3 n = uvec3(floor(g.normal * NORMAL_STEPS + (NORMAL_STEPS + 0.5)));
+    return GuideBits(uvec4(word & 0xffffu, word >> 16, n.x | n.y << 8, n.z | g.id8 << 8));
+}
+
+uint guide_word(GuideBits packed) { return packed.bits.x | packed.bits.y << 16; }
 // Negative where the albedo is dark, 0 in the background.
-float signed_guide_depth(GuideBits packed) { return uintBitsToFloat(packed.bits.x & 0xfff0u | packed.bits.y << 16); }
+float signed_guide_depth(GuideBits packed) { return uintBitsToFloat(guide_word(packed) & (DEPTH_BITS | DARK_BIT)) * DEPTH_SCALE; }
 float guide_depth(GuideBits packed) { return abs(signed_guide_depth(packed)); }
-float guide_roughness(GuideBits packed) { return float(packed.bits.x & 0xfu) / 15.0; }
+// Scene units per pixel.
+vec2 guide_gradient(GuideBits packed) {
+    uint word = guide_word(packed);
+    return unpack_gradient(word & 0x7ffu | (word >> 29 & 3u) << 11, guide_depth(packed));
+}
 uint guide_id(GuideBits packed) { return packed.bits.w >> 8; }
 bool guide_is_dark(GuideBits packed) { return packed.bits.y >= 0x8000u; }
 

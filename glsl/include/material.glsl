@@ -1,10 +1,12 @@
 // Numbers of a host's class of materials. Twin: src/reference/material.rs.
-// Needs the optional input material_class at the binding MATERIAL_CLASS.
+// Needs the input material_class at the binding MATERIAL_CLASS: an optional one, or with MATERIAL one that is there.
 #ifndef MATERIAL_GLSL
 #define MATERIAL_GLSL
 #include "frame.glsl"
-#include "optional.glsl"
 #include "viewport.glsl"
+#ifndef MATERIAL
+#include "optional.glsl"
+#endif
 
 struct Material {
     float depth;            // factors: of tolerated differences of depth,
@@ -19,7 +21,9 @@ bool is_class(uint number) { return number < uint(frame.materials.length()); }
 
 // Of a pixel of light. What is beyond the table counts as class 0.
 Material material_at(ivec2 p) {
+#ifndef MATERIAL
     if (!is_present(MATERIAL_CLASS)) return Material(1.0, 1.0, 1.0, 3e38);
+#endif
     uint number = class_at(p);
     vec4 m = frame.materials[is_class(number) ? number : 0u];
     return Material(m.x, m.y, m.z, m.w);

@@ -256,12 +256,10 @@ impl From<VolumeEstimate> for Radiance {
 /// Packed guides of a frame, as the node `import` writes them. `docs/specification/packed_images.md` has the bits.
 #[derive(Clone, Copy, Debug)]
 pub struct Guides {
-    /// Depth, normal, roughness and id of every pixel; four times 16 bits.
+    /// Depth and how it changes from a pixel to the next, normal and id of every pixel; four times 16 bits.
     pub guide: Image,
     /// Motion of the surface to the previous frame, change of its depth, and its normal there; four times 16 bits.
     pub surface_motion: Image,
-    /// Change of depth from a pixel to the next; two packed half floats.
-    pub depth_gradient: Image,
     /// Object-space normal, if you have one; packed, 32 bits.
     pub object_normal: Option<Image>,
     /// Your class of materials, if you have one.

@@ -23,12 +23,7 @@ fn confidence(before: f32, now: f32) -> (f32, f32) {
     let history = Image::new(EXTENT, [before; 4]);
     let luminance_history =
         Image::new(EXTENT, LuminanceHistory { mean: before, deviation: before, history_length: 8.0, reason: 0 });
-    let guides = HistoryGuides {
-        guide: &guides.guide,
-        surface_motion: &guides.surface_motion,
-        depth_gradient: &guides.depth_gradient,
-        previous_guide: &guides.guide,
-    };
+    let guides = HistoryGuides { guide: &guides.guide, surface_motion: &guides.surface_motion, previous_guide: &guides.guide };
     let percentiles =
         block_percentiles(&frame, &tuning, &BlockPercentilesInputs { guide: Some(guides.guide), irradiance: &irradiance });
     let published = percentile_rule(&frame, &tuning, &PercentileRuleInputs { guides, signals: &[(&percentiles, &history)] });
@@ -64,12 +59,7 @@ fn a_change_that_is_certain_but_small_is_not_worth_the_history() {
     let (frame, tuning, guides) = (frame(EXTENT), svgf_tuning(), guides(EXTENT, |_, _| surface(2.0)));
     let luminance_history = Image::new(EXTENT, LuminanceHistory { mean: 1.0, deviation: 0.0, history_length: 8.0, reason: 0 });
     let history = Image::new(EXTENT, [1.0; 4]);
-    let guides = HistoryGuides {
-        guide: &guides.guide,
-        surface_motion: &guides.surface_motion,
-        depth_gradient: &guides.depth_gradient,
-        previous_guide: &guides.guide,
-    };
+    let guides = HistoryGuides { guide: &guides.guide, surface_motion: &guides.surface_motion, previous_guide: &guides.guide };
     let confidence = |now: f32| {
         let history = SignalHistory { irradiance: &history, luminance_history: &luminance_history };
         let irradiance = Image::new(EXTENT, [now; 4]);
@@ -126,12 +116,7 @@ fn light_without_noise_loses_the_history_of_what_changed() {
         let luminance_history = LuminanceHistory { mean: 1.0, deviation: past_noise, history_length: 8.0, reason: 0 };
         let (history, luminance_history) = (shadow(16, 0.0), Image::new(EXTENT, luminance_history));
         let history = SignalHistory { irradiance: &history, luminance_history: &luminance_history };
-        let guides = HistoryGuides {
-            guide: &guides.guide,
-            surface_motion: &guides.surface_motion,
-            depth_gradient: &guides.depth_gradient,
-            previous_guide: &guides.guide,
-        };
+        let guides = HistoryGuides { guide: &guides.guide, surface_motion: &guides.surface_motion, previous_guide: &guides.guide };
         let irradiance = shadow(18, noise);
         let difference = block_difference(&frame, &tuning, &BlockDifferenceInputs { guides, irradiance: &irradiance, history });
         let all = change_test(&frame, &tuning, EXTENT, &[&difference]).history_confidence;

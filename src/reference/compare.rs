@@ -6,7 +6,7 @@ use super::guide::unpack_guide;
 use super::luminance_history::unpack_luminance_history;
 use super::octahedral::octahedral10_to_normal;
 use super::reflection::{unpack_image_share, unpack_reflection};
-use super::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
+use super::surface_motion::unpack_surface_motion;
 use super::texels::Texels;
 use super::upscale_history::unpack_upscale_history;
 use super::visibility::unpack_visibility;
@@ -25,6 +25,9 @@ pub(crate) struct Tolerance {
     pub outliers: f32,
 }
 
+/// A slope below which no direction is compared: depth per pixel, over the depth.
+const FLAT: f32 = 2e-3;
+
 /// The reading of a texel as numbers that can be compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Reading {
@@ -38,16 +41,16 @@ pub(crate) enum Reading {
     Halves,
     /// Mean, deviation, pixels, both noises and the brighter side of `block_difference*`.
     BlockDifference,
-    /// Depth, normal, roughness and id.
+    /// Depth, normal, id and darkness.
     Guide,
+    /// The gradient of the depth, over the depth: sum of its components, and each over that sum.
+    GuideGradient,
     /// Motion and depth ratio of `surface_motion`.
     SurfaceMotion,
     /// The normal of `surface_motion`. All bits 0, which stand where there is no surface, are one of four ways to say −z.
     PreviousNormal,
     /// Even light, root of the weight and depth of `upscale_history`.
     UpscaleHistory,
-    /// Both slopes.
-    DepthGradient,
     /// A packed normal.
     Normal,
     /// Mean, deviation, history length and reason.
@@ -216,7 +219,13 @@ impl Reading {
             Self::Guide => {
                 let s = unpack_guide(texel);
                 let [x, y, z] = s.normal;
-                padded([s.linear_depth, x, y, z, s.roughness, s.id.into()])
+                padded([s.linear_depth, x, y, z, s.id.into(), s.is_dark.into()])
+            }
+            Self::GuideGradient => {
+                let s = unpack_guide(texel);
+                let [x, y] = s.gradient.map(|g| g / s.linear_depth.max(f32::MIN_POSITIVE));
+                let sum = x.abs() + y.abs();
+                padded([sum, x / sum.max(FLAT), y / sum.max(FLAT)])
             }
             Self::SurfaceMotion => {
                 let m = unpack_surface_motion(texel);
@@ -239,7 +248,6 @@ impl Reading {
     fn of_uint(self, texel: u32) -> Numbers {
         let parts = [texel as u16, (texel >> 16) as u16];
         match self {
-            Self::DepthGradient => padded(unpack_depth_gradient(texel)),
             Self::Normal => padded(octahedral10_to_normal(texel)),
             Self::Halves => padded(parts.map(from_half_bits)),
             Self::Reflection => {

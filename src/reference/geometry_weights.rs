@@ -2,7 +2,6 @@
 
 use super::guide::{unpack_guide, Surface};
 use super::material::tuning_at;
-use super::surface_motion::unpack_depth_gradient;
 use super::volume::{relative_difference, volume_depth};
 use super::Image;
 use crate::{FrameConstants, Tuning};
@@ -14,7 +13,6 @@ pub(crate) const DEPTH_EPSILON: f32 = 0.001;
 /// The decoded guide with the weights `w_z` and `w_n`.
 pub(crate) struct Geometry {
     surfaces: Image<Surface>,
-    gradients: Image<Vec2>,
     edges: Edges,
     sigma_l: f32,
     /// Those of each pixel, where materials have some of their own.
@@ -47,10 +45,9 @@ impl Edges {
 }
 
 impl Geometry {
-    pub(crate) fn new(frame: &FrameConstants, tuning: &Tuning, guide: &Image<[u16; 4]>, depth_gradient: &Image<u32>) -> Self {
+    pub(crate) fn new(frame: &FrameConstants, tuning: &Tuning, guide: &Image<[u16; 4]>) -> Self {
         Self {
             surfaces: Image::compute(guide.extent(), frame.render_extent, |p| unpack_guide(guide.at(p))),
-            gradients: Image::compute(guide.extent(), frame.render_extent, |p| unpack_depth_gradient(depth_gradient.at(p)).into()),
             edges: Edges::of_surfaces(tuning),
             sigma_l: tuning.sigma_l,
             materials: None,
@@ -70,7 +67,6 @@ impl Geometry {
         let seen = |p| Surface { linear_depth: volume_depth(guide.at(p)), ..Surface::default() };
         Self {
             surfaces: Image::compute(guide.extent(), frame.render_extent, seen),
-            gradients: Image::new([0; 2], Vec2::ZERO),
             edges: Edges::Volume { sigma_z: tuning.volume_sigma_z },
             sigma_l: tuning.sigma_l,
             materials: None,
@@ -94,8 +90,8 @@ impl Geometry {
         self.surfaces.at(p).is_background()
     }
 
-    pub(crate) fn linear_depth(&self, p: IVec2) -> f32 {
-        self.surfaces.at(p).linear_depth
+    pub(crate) fn surface(&self, p: IVec2) -> Surface {
+        self.surfaces.at(p)
     }
 
     /// `w_z·w_n` \[SVGF eq. 3, 4\] of a pixel `q` inside the image for the surface pixel `p`; 1 for `q = p`, 0 for the
@@ -112,7 +108,7 @@ impl Geometry {
             Edges::Surface { .. } if at_p.is_dark != at_q.is_dark => 0.0,
             Edges::Surface { sigma_z, sigma_n } => {
                 let offset = (q - p).as_vec2();
-                depth_and_normal_weight([sigma_z, sigma_n], &at_p, &at_q, self.gradients.at(p), offset)
+                depth_and_normal_weight([sigma_z, sigma_n], &at_p, &at_q, offset)
             }
             Edges::Volume { sigma_z } => (-relative_difference(at_p.linear_depth, at_q.linear_depth) / sigma_z).exp(),
         }
@@ -120,8 +116,8 @@ impl Geometry {
 }
 
 /// `w_z·w_n` of two surfaces that lie `offset` pixels apart.
-pub(crate) fn depth_and_normal_weight([sigma_z, sigma_n]: [f32; 2], p: &Surface, q: &Surface, gradient: Vec2, offset: Vec2) -> f32 {
-    let tolerance = sigma_z * gradient.dot(offset).abs() + DEPTH_EPSILON * p.linear_depth;
+pub(crate) fn depth_and_normal_weight([sigma_z, sigma_n]: [f32; 2], p: &Surface, q: &Surface, offset: Vec2) -> f32 {
+    let tolerance = sigma_z * Vec2::from(p.gradient).dot(offset).abs() + DEPTH_EPSILON * p.linear_depth;
     let difference = (p.linear_depth - q.linear_depth).abs();
     let exponent_z = -difference / tolerance.max(f32::MIN_POSITIVE);
     // 1 − cos of two unit normals is half of their squared distance.

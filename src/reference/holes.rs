@@ -26,8 +26,6 @@ pub(crate) fn sample_worth([.., alpha]: [f32; 4]) -> f32 {
 pub(crate) struct FillHolesInputs<'a> {
     /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
-    /// The image `depth_gradient`, from the stage `import`.
-    pub depth_gradient: &'a Image<u32>,
     /// rgb: irradiance of one signal; alpha: [`HOLE`] where there is none.
     pub holed: &'a Image<[f32; 4]>,
     /// Pixels to each side in which samples are looked for.
@@ -37,7 +35,7 @@ pub(crate) struct FillHolesInputs<'a> {
 /// Irradiance without holes, half precision; alpha: [`HOLE`] where it was filled in, [`EMPTY_HOLE`] where there was no sample around,
 /// which is counted as radiance that is not finite.
 pub(crate) fn fill_holes(frame: &FrameConstants, tuning: &Tuning, inputs: &FillHolesInputs) -> (Image<[f32; 4]>, Statistics) {
-    let geometry = Geometry::new(frame, tuning, inputs.guide, inputs.depth_gradient);
+    let geometry = Geometry::new(frame, tuning, inputs.guide);
     let texels = Image::compute(inputs.holed.extent(), frame.render_extent, |p| {
         if inputs.holed.at(p)[3] >= 0.0 {
             return (inputs.holed.at(p), false);

@@ -77,8 +77,6 @@ pub(crate) use {
     nearest_history::{HistoryGuides, SignalHistory},
     reflection::{pack_reflection, SeenReflection, FARTHEST_HIT},
     strata::{pack_gradient_sample, unpack_gradient_sample, GradientSample},
-    surface_motion::{
-        pack_depth_gradient, pack_surface_motion, unpack_depth_gradient, unpack_surface_motion, SurfaceMotion, LARGEST_MOTION,
-    },
+    surface_motion::{pack_surface_motion, unpack_surface_motion, SurfaceMotion, LARGEST_MOTION},
     visibility::VisibilityHistory,
 };

@@ -6,7 +6,7 @@ use super::conventions::is_reset;
 use super::guide::unpack_guide;
 use super::luminance_history::LuminanceHistory;
 use super::projection::extent_ratio;
-use super::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
+use super::surface_motion::unpack_surface_motion;
 use super::{render_rect::RenderRect, Image};
 use crate::{Error, FrameConstants, Tuning};
 use glam::{IVec2, Vec2};
@@ -27,8 +27,6 @@ pub(crate) struct HistoryGuides<'a> {
     pub guide: &'a Image<[u16; 4]>,
     /// The image `surface_motion`, from the stage `import`.
     pub surface_motion: &'a Image<[u16; 4]>,
-    /// The image `depth_gradient`, from the stage `import`.
-    pub depth_gradient: &'a Image<u32>,
     /// The guide of the previous frame. Not read in a reset frame.
     pub previous_guide: &'a Image<[u16; 4]>,
 }
@@ -39,7 +37,6 @@ impl<'a> HistoryGuides<'a> {
         Ok(Self {
             guide: b.packed("guide")?,
             surface_motion: b.packed("surface_motion")?,
-            depth_gradient: b.uint("depth_gradient")?,
             previous_guide: b.packed("previous_guide")?,
         })
     }
@@ -57,7 +54,7 @@ impl<'a> HistoryGuides<'a> {
         }
         let previous = unpack_guide(self.previous_guide.at(tap));
         let expected = surface.linear_depth * (1.0 + motion.depth_ratio);
-        let [dx, dy] = unpack_depth_gradient(self.depth_gradient.at(p));
+        let [dx, dy] = surface.gradient;
         let tolerance = tuning.depth_tolerance * expected + dx.abs() + dy.abs();
         let is_same =
             !previous.is_background() && previous.id == surface.id && (previous.linear_depth - expected).abs() <= tolerance;

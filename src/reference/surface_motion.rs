@@ -1,4 +1,4 @@
-//! Packing of a surface's place in the previous frame, and of the depth gradient.
+//! Packing of a surface's place in the previous frame.
 
 use super::binary16::{from_half_bits, half_bits, LARGEST_HALF};
 use super::octahedral::{octahedral8, octahedral8_to_normal};
@@ -37,17 +37,6 @@ pub(crate) fn unpack_surface_motion(texel: [u16; 4]) -> SurfaceMotion {
     }
 }
 
-/// A texel of `depth_gradient`: (∂z/∂x, ∂z/∂y) in scene units per pixel.
-pub(crate) fn pack_depth_gradient(gradient: [f32; 2]) -> u32 {
-    let [x, y] = gradient.map(|g| u32::from(half_bits(g.clamp(-LARGEST_HALF, LARGEST_HALF))));
-    x | y << 16
-}
-
-/// The gradient of a texel of `depth_gradient`.
-pub(crate) fn unpack_depth_gradient(texel: u32) -> [f32; 2] {
-    [from_half_bits(texel as u16), from_half_bits((texel >> 16) as u16)]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -59,12 +48,5 @@ mod tests {
         assert_eq!(unpack_surface_motion(texel), expected);
         let far = unpack_surface_motion(pack_surface_motion([1e9, -1e9], Some((1e30, [0.0, 0.0, 1.0]))));
         assert_eq!((far.motion, far.depth_ratio), ([LARGEST_MOTION, -LARGEST_MOTION], LARGEST_HALF));
-    }
-
-    #[test]
-    fn x_of_the_gradient_is_in_the_low_bits() {
-        assert_eq!(pack_depth_gradient([1.0, -2.0]), 0xc000_3c00);
-        assert_eq!(unpack_depth_gradient(0xc000_3c00), [1.0, -2.0]);
-        assert_eq!(unpack_depth_gradient(pack_depth_gradient([1e9, -1e9])), [LARGEST_HALF, -LARGEST_HALF]);
     }
 }

@@ -52,11 +52,10 @@ pub(crate) fn perspective(extent: [u32; 2]) -> Mat4 {
 pub(crate) struct Guides {
     pub guide: Image<[u16; 4]>,
     pub surface_motion: Image<[u16; 4]>,
-    pub depth_gradient: Image<u32>,
 }
 
 pub(crate) fn surface(linear_depth: f32) -> Surface {
-    Surface { linear_depth, is_dark: false, normal: [0.0, 0.0, 1.0], roughness: 1.0, id: 1 }
+    Surface { linear_depth, is_dark: false, normal: [0.0, 0.0, 1.0], gradient: [0.0; 2], id: 1 }
 }
 
 /// `surfaces(x, y)` without motion and with a gradient of 0.
@@ -65,7 +64,6 @@ pub(crate) fn guides(extent: [u32; 2], surfaces: impl Fn(i32, i32) -> Surface) -
     Guides {
         guide: surfaces.map(pack_guide),
         surface_motion: surfaces.map(|s| pack_surface_motion([0.0; 2], (!s.is_background()).then_some((0.0, s.normal)))),
-        depth_gradient: Image::new(extent, 0),
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::binary16::{from_half_bits, half_bits};
 use super::bindings::Bindings;
+use super::guide::Surface;
 use super::projection::pixel_size;
 use super::Image;
 use crate::{Error, FrameConstants};
@@ -156,10 +157,9 @@ pub(crate) struct Ruler {
 }
 
 impl Ruler {
-    /// `gradient`: change of depth from a pixel to the next.
-    pub(crate) fn new(frame: &FrameConstants, linear_depth: f32, gradient: [f32; 2]) -> Self {
-        let size = pixel_size(frame, linear_depth);
-        Self { size, gradient: gradient.into() }
+    /// Of the pixel of a surface.
+    pub(crate) fn new(frame: &FrameConstants, surface: &Surface) -> Self {
+        Self { size: pixel_size(frame, surface.linear_depth), gradient: surface.gradient.into() }
     }
 
     /// The longer side of a pixel.
@@ -220,10 +220,10 @@ mod tests {
         let extent = [64, 32];
         let view = camera(extent, Vec3::ZERO);
         let frame = frame_with(&crate::Config::new(extent), &view, &view);
-        let near = Ruler::new(&frame, 1.0, [0.0; 2]);
+        let near = Ruler::new(&frame, &surface(1.0));
         // 90 degrees from top to bottom: two scene units at depth 1.
         assert!((near.size.y - 2.0 / 32.0).abs() < 1e-6 && (near.size.x - near.size.y).abs() < 1e-6, "{near:?}");
-        let far = Ruler::new(&frame, 10.0, [0.0, 1.0]);
+        let far = Ruler::new(&frame, &Surface { gradient: [0.0, 1.0], ..surface(10.0) });
         assert!((far.size.y - 20.0 / 32.0).abs() < 1e-5);
         assert!((far.squared(Vec2::Y) - (far.size.y * far.size.y + 1.0)).abs() < 1e-5);
         assert!((far.squared(Vec2::X) - far.size.x * far.size.x).abs() < 1e-5);

@@ -42,6 +42,7 @@ fn add_declarations(all: &mut Vec<Declaration>, declare: fn(&Config) -> Declarat
                 }
             }
             all.push(declare(&Config { firefly_filter: true, ..config }));
+            all.push(declare(&Config { material_class: true, ..config }));
             all.push(declare(&Config { visibility: 1, ..config }));
             all.push(declare(&Config { visibility: 1, light_extent: Some([32, 36]), ..config }));
             all.push(declare(&Config { reactive_mask: true, ..config }));

@@ -148,7 +148,7 @@ pub fn the_boundary_names_what_crosses_between_phases() {
             .filter(|b| b.written && after.iter().any(|a| a.resource == b.resource && a.frame == b.frame))
             .map(|b| declaration.resource(b.resource).name.as_str())
             .collect();
-        for name in ["frame_constants", "guide", "surface_motion", "depth_gradient"] {
+        for name in ["frame_constants", "guide", "surface_motion"] {
             assert!(crossing.contains(&name), "{:?}: {name} is not in {crossing:?}", config.preset);
         }
         for a in &after {

@@ -140,7 +140,6 @@ fn two_writers_of_one_image_are_refused() {
     for node in ["first", "second"] {
         let pass = Pass::new(node, &crate::shaders::DEMODULATE_LUMINANCE_0)
             .bind("guide", guides.guide)
-            .bind("depth_gradient", guides.depth_gradient)
             .bind("noisy_0", noisy.image())
             .bind("irradiance_0", image);
         g.add(pass);
@@ -152,7 +151,6 @@ fn two_writers_of_one_image_are_refused() {
 fn copy(g: &mut Graph, node: &str, guides: &Guides, from: Image, to: Image) {
     let pass = Pass::new(node, &crate::shaders::DEMODULATE_LUMINANCE_0)
         .bind("guide", guides.guide)
-        .bind("depth_gradient", guides.depth_gradient)
         .bind("noisy_0", from)
         .bind("irradiance_0", to);
     g.add(pass);

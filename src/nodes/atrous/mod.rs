@@ -92,9 +92,17 @@ impl Graph {
     /// Filters one or two signals level by level, one pass each; they share the geometry weights.
     pub fn atrous(&mut self, guides: &Guides, estimate: &Estimate, atrous: Atrous) -> Estimate {
         let node = self.node("atrous", &self.label_of(estimate));
-        let module = match atrous.reflection {
-            Some(_) => by_signals(estimate, &shaders::ATROUS_SIGNALS_1_SPECULAR_1, &shaders::ATROUS_SIGNALS_2_SPECULAR_1),
-            None => by_signals(estimate, &shaders::ATROUS_SIGNALS_1, &shaders::ATROUS_SIGNALS_2),
+        let module = match (atrous.reflection, guides.material_class) {
+            (Some(_), None) => by_signals(estimate, &shaders::ATROUS_SIGNALS_1_SPECULAR_1, &shaders::ATROUS_SIGNALS_2_SPECULAR_1),
+            (None, None) => by_signals(estimate, &shaders::ATROUS_SIGNALS_1, &shaders::ATROUS_SIGNALS_2),
+            (Some(_), Some(_)) => by_signals(
+                estimate,
+                &shaders::ATROUS_SIGNALS_1_SPECULAR_1_MATERIAL_1,
+                &shaders::ATROUS_SIGNALS_2_SPECULAR_1_MATERIAL_1,
+            ),
+            (None, Some(_)) => {
+                by_signals(estimate, &shaders::ATROUS_SIGNALS_1_MATERIAL_1, &shaders::ATROUS_SIGNALS_2_MATERIAL_1)
+            }
         };
         let levels = Levels { node: &node, count: atrous.levels, feedback: atrous.feedback };
         self.levels(levels, estimate, |name, level| {
@@ -106,7 +114,6 @@ impl Graph {
                 .value("sigma_z", atrous.sigma_z)
                 .value("volume_sigma_z", UNREAD)
                 .bind("guide", guides.guide)
-                .bind("depth_gradient", guides.depth_gradient)
                 .bind_some("material_class", guides.material_class)
                 .bind_some("reflection", atrous.reflection.map(|reflection| reflection.image))
         })
@@ -125,7 +132,6 @@ impl Graph {
                 .value("sigma_n", UNREAD)
                 .value("sigma_z", UNREAD)
                 .bind("guide", guides.guide)
-                .bind("depth_gradient", guides.depth_gradient)
         })
     }
 

@@ -34,8 +34,6 @@ const KEPT_SHARE: f32 = 0.5;
 pub(crate) struct AtrousInputs<'a> {
     /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
-    /// The image `depth_gradient`, from the stage `import`.
-    pub depth_gradient: &'a Image<u32>,
     /// What is seen in the surfaces, if the last signal is specular light.
     pub reflection: Option<&'a Image<u32>>,
     /// Irradiance of every signal in rgb, standard deviation of its luminance in alpha.
@@ -65,7 +63,7 @@ impl AtrousLevel {
 #[cfg(test)]
 pub(crate) fn atrous(frame: &FrameConstants, tuning: &Tuning, level: AtrousLevel, inputs: &AtrousInputs) -> Vec<Image<[f32; 4]>> {
     let lobes = inputs.reflection.map(|reflection| Lobes::new(frame, tuning, inputs.guide, reflection));
-    filter(frame, &Geometry::new(frame, tuning, inputs.guide, inputs.depth_gradient), lobes.as_ref(), level, inputs.irradiance)
+    filter(frame, &Geometry::new(frame, tuning, inputs.guide), lobes.as_ref(), level, inputs.irradiance)
 }
 
 /// [`atrous`] for the radiance of a volume before the surfaces of `guide`: weights by the depth behind alone, and no background
@@ -217,7 +215,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let guide = b.packed("guide")?;
     let geometry = match b.is_on("VOLUME")? {
         true => Geometry::of_volume(b.frame, b.tuning, guide),
-        false => Geometry::new(b.frame, b.tuning, guide, b.uint("depth_gradient")?),
+        false => Geometry::new(b.frame, b.tuning, guide),
     };
     let geometry = match b.optional_uint("material_class")? {
         Some(classes) => geometry.with_materials(b.frame, b.tuning, classes),

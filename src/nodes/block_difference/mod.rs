@@ -38,7 +38,6 @@ impl Graph {
 pub(super) fn compared(pass: Pass, guides: &Guides, history: &History, i: usize) -> Pass {
     pass.previous("previous_guide", guides.guide)
         .bind("surface_motion", guides.surface_motion)
-        .bind("depth_gradient", guides.depth_gradient)
         .previous("history", history.colour()[i])
         .previous("previous_luminance_history", history.luminance_history()[i])
 }

@@ -58,6 +58,8 @@ const HOLE_SIGMA_Z: f32 = 1.0;
 pub(super) struct Divisor {
     albedo: Option<Image>,
     specular_f0: Option<Image>,
+    /// Beside `specular_f0`.
+    roughness: Option<Image>,
     /// Added to `albedo`, or with `of_each` the albedo of the second signal.
     coat: Option<Image>,
     /// Whether `albedo` divides the first of two signals alone, and `coat` or `specular_f0` the second.
@@ -75,12 +77,23 @@ impl Divisor {
             }
             Albedo::Specular => {
                 let mut input = |input| Some(graph.input(input));
-                Self { albedo: input(Input::SPECULAR_ALBEDO), specular_f0: input(Input::SPECULAR_F0), ..Self::default() }
+                Self {
+                    albedo: input(Input::SPECULAR_ALBEDO),
+                    specular_f0: input(Input::SPECULAR_F0),
+                    roughness: input(Input::ROUGHNESS),
+                    ..Self::default()
+                }
             }
             Albedo::Each => {
                 let albedo = graph.dividing_albedo();
                 let mut input = |input| Some(graph.input(input));
-                Self { albedo, specular_f0: input(Input::SPECULAR_F0), coat: input(Input::SPECULAR_ALBEDO), of_each: true }
+                Self {
+                    albedo,
+                    specular_f0: input(Input::SPECULAR_F0),
+                    roughness: input(Input::ROUGHNESS),
+                    coat: input(Input::SPECULAR_ALBEDO),
+                    of_each: true,
+                }
             }
         }
     }
@@ -89,14 +102,17 @@ impl Divisor {
     fn of_divided(self, irradiance: &Irradiance) -> Option<(Irradiance, Self)> {
         match (self.albedo, irradiance.images()) {
             (None, [_, second]) if self.of_each => {
-                Some((Port::of(*second), Self { albedo: self.coat, specular_f0: self.specular_f0, ..Self::default() }))
+                Some((Port::of(*second), Self { albedo: self.coat, coat: None, of_each: false, ..self }))
             }
             (albedo, _) => albedo.map(|_| (*irradiance, self)),
         }
     }
 
     pub(super) fn bind(self, pass: Pass) -> Pass {
-        pass.bind_some("albedo", self.albedo).bind_some("specular_f0", self.specular_f0).bind_some("specular_albedo", self.coat)
+        pass.bind_some("albedo", self.albedo)
+            .bind_some("specular_f0", self.specular_f0)
+            .bind_some("roughness", self.roughness)
+            .bind_some("specular_albedo", self.coat)
     }
 }
 
@@ -125,7 +141,6 @@ impl Graph {
             .value("sigma_n", Value::Fixed(HOLE_SIGMA_N))
             .value("sigma_z", Value::Fixed(HOLE_SIGMA_Z))
             .bind("guide", guides.guide)
-            .bind("depth_gradient", guides.depth_gradient)
             .each("noisy", noisy.images())
             .each("irradiance", irradiance.images());
         let divisor = Divisor::new(self, demodulate.albedo);

@@ -9,7 +9,7 @@ use crate::reference::kept_radiance::{exposed, finite_radiance, is_finite, is_sa
 use crate::reference::luminance::luminance;
 use crate::reference::reflection::FARTHEST_HIT;
 use crate::reference::rules::{pixels, rounded, rule, HALF, STATISTICS};
-use crate::reference::specular_albedo::specular_albedo_from;
+use crate::reference::specular_albedo::SpecularF0;
 use crate::reference::statistics::count;
 use crate::reference::strata::{Strata, NO_PIXEL};
 use crate::reference::Image;
@@ -36,14 +36,12 @@ pub(crate) const SATURATED_ALBEDO: f32 = 0.1;
 pub(crate) struct DemodulateInputs<'a> {
     /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
-    /// The image `depth_gradient`, from the stage `import`.
-    pub depth_gradient: &'a Image<u32>,
     /// rgb: noisy radiance of every signal, linear, scene units.
     pub noisy: &'a [&'a Image<[f32; 4]>],
     /// rgb: albedo at the primary hit.
     pub albedo: Option<&'a Image<[f32; 4]>>,
     /// rgb: reflectance at normal incidence, from which the divisor of specular light comes where there is no albedo.
-    pub specular_f0: Option<&'a Image<[f32; 4]>>,
+    pub specular_f0: Option<SpecularF0<'a>>,
     /// x: distance from the surface to what is seen in it, scene units; 0 or infinite: beyond the scene.
     pub specular_hit_distance: Option<&'a Image<[f32; 4]>>,
     /// Whether the input is sub-sampled: pixels without a sample are no bad values then, and others fill them.
@@ -91,12 +89,12 @@ pub(crate) fn albedo_at(
     frame: &FrameConstants,
     surface: &Surface,
     albedo: Option<&Image<[f32; 4]>>,
-    specular_f0: Option<&Image<[f32; 4]>>,
+    specular_f0: Option<SpecularF0>,
     p: IVec2,
 ) -> Option<[f32; 4]> {
     let traced = frame.guide_pixel(p);
     let given = albedo.map(|albedo| albedo.at(traced));
-    let computed = || specular_f0.map(|f0| specular_albedo_from(frame, f0.at(traced), p, surface));
+    let computed = || specular_f0.map(|f0| f0.albedo(frame, traced, p, surface));
     given.or_else(computed).filter(|_| !surface.is_background())
 }
 
@@ -130,7 +128,7 @@ pub(crate) fn demodulate(frame: &FrameConstants, tuning: &Tuning, inputs: &Demod
         let f0 = inputs
             .specular_f0
             .filter(|_| inputs.albedo.is_none() && !surface.is_background())
-            .map(|f0| f0.at(frame.guide_pixel(p)));
+            .map(|f0| f0.image.at(frame.guide_pixel(p)));
         let is_f0_bad = f0.is_some_and(|f0| f0[..3].iter().any(|c| !c.is_finite()));
         let (divisor, is_bad) = divisor(albedo_at(frame, &surface, inputs.albedo, inputs.specular_f0, p));
         (divisor, is_bad || is_f0_bad)
@@ -163,7 +161,7 @@ pub(crate) fn demodulate(frame: &FrameConstants, tuning: &Tuning, inputs: &Demod
         statistics[Counter::Saturated] += count(texels.texels().iter().map(|t| t.2));
         let holed = texels.map(|t| t.0);
         let whole = || {
-            let inputs = FillHolesInputs { guide: inputs.guide, depth_gradient: inputs.depth_gradient, holed: &holed, radius: 1 };
+            let inputs = FillHolesInputs { guide: inputs.guide, holed: &holed, radius: 1 };
             fill_holes(frame, tuning, &inputs).0
         };
         let filled = if inputs.is_sub_sampled { holed.clone() } else { whole() };
@@ -254,10 +252,9 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let albedo = with_coat(b.optional_colour("albedo")?, coat);
     let inputs = DemodulateInputs {
         guide: b.packed("guide")?,
-        depth_gradient: b.uint("depth_gradient")?,
         noisy: &noisy,
         albedo: albedo.as_deref(),
-        specular_f0: b.optional_colour("specular_f0")?,
+        specular_f0: SpecularF0::of(b)?,
         specular_hit_distance: b.optional_colour("specular_hit_distance")?,
         is_sub_sampled: b.is_on("SAMPLING")?,
     };

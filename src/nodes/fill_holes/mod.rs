@@ -27,7 +27,6 @@ impl Graph {
             let pass = pass(&node, &shaders::FILL_HOLES)
                 .constant("RADIUS", radius)
                 .bind("guide", guides.guide)
-                .bind("depth_gradient", guides.depth_gradient)
                 .bind("holed", *from)
                 .bind("filled", *to);
             self.add(pass);

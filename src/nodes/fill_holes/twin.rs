@@ -11,12 +11,7 @@ pub(crate) const RULES: &[Rule] = &[STATISTICS, pixels("filled", HALF)];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
-    let inputs = FillHolesInputs {
-        guide: b.packed("guide")?,
-        depth_gradient: b.uint("depth_gradient")?,
-        holed: b.colour("holed")?,
-        radius: b.constant("RADIUS")?,
-    };
+    let inputs = FillHolesInputs { guide: b.packed("guide")?, holed: b.colour("holed")?, radius: b.constant("RADIUS")? };
     let (filled, statistics) = fill_holes(b.frame, b.tuning, &inputs);
     b.count(&statistics)?;
     b.write("filled", filled)
@@ -39,7 +34,7 @@ mod tests {
         holed: &Image<[f32; 4]>,
     ) -> (Image<[f32; 4]>, Statistics) {
         let guides = guides(EXTENT, surfaces);
-        let inputs = FillHolesInputs { guide: &guides.guide, depth_gradient: &guides.depth_gradient, holed, radius };
+        let inputs = FillHolesInputs { guide: &guides.guide, holed, radius };
         fill_holes(&frame(EXTENT), &Tuning::default(), &inputs)
     }
 

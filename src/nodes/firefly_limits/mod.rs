@@ -28,7 +28,6 @@ impl Graph {
             pass.bind("guide", guides.guide)
                 .previous("previous_guide", guides.guide)
                 .bind("surface_motion", guides.surface_motion)
-                .bind("depth_gradient", guides.depth_gradient)
                 .previous("previous_firefly_limits", limits)
         })
     }

@@ -179,12 +179,7 @@ mod tests {
         let (frame, tuning) = (frame(EXTENT), svgf_tuning());
         let inputs = BlockPercentilesInputs { guide: Some(&guides.guide), irradiance };
         let block_percentiles = &block_percentiles(&frame, &tuning, &inputs);
-        let of_both = HistoryGuides {
-            guide: &guides.guide,
-            surface_motion: &guides.surface_motion,
-            depth_gradient: &guides.depth_gradient,
-            previous_guide: &guides.guide,
-        };
+        let of_both = HistoryGuides { guide: &guides.guide, surface_motion: &guides.surface_motion, previous_guide: &guides.guide };
         let history = before.map(|before| (of_both, before));
         firefly_limits(&frame, &tuning, &FireflyLimitsInputs { block_percentiles, irradiance, history })
     }

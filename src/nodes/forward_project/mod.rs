@@ -57,7 +57,6 @@ impl Graph {
                 .constant("STRATUM_SIZE", size)
                 .bind("guide", guides.guide)
                 .previous("previous_guide", guides.guide)
-                .bind("depth_gradient", guides.depth_gradient)
                 .previous("previous_candidates", candidates)
                 .bind("instance_transforms", transforms)
                 .bind_some("forward_motion", forward_motion)

@@ -12,7 +12,6 @@ use crate::reference::guide::{pcg, unpack_guide};
 use crate::reference::reprojection::{about_eye, InstanceTransform};
 use crate::reference::rules::{strata, EXACT, STATISTICS};
 use crate::reference::strata::{pack_gradient_sample, GradientSample, Strata, NO_PIXEL};
-use crate::reference::surface_motion::unpack_depth_gradient;
 use crate::reference::Image;
 use crate::{Counter, Statistics};
 use crate::{Error, FrameConstants, Tuning};
@@ -29,8 +28,6 @@ const CANDIDATE_SALT: u32 = 0x9e37_79b9;
 pub(crate) struct ForwardProjectInputs<'a> {
     /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
-    /// The image `depth_gradient`, from the stage `import`.
-    pub depth_gradient: &'a Image<u32>,
     /// Guide and candidates of the previous frame. Not read in a reset frame; `None` is treated as one.
     pub previous: Option<PreviousCandidates<'a>>,
     /// Transforms of the host's instances, as for `import`: indexed by surface id, previous from current.
@@ -177,9 +174,8 @@ impl Projection<'_> {
         };
         let pixel = covering_pixel(self.frame, &position).ok_or(Lost::Gone)?;
         let now = unpack_guide(self.inputs.guide.at(pixel));
-        let gradient = unpack_depth_gradient(self.inputs.depth_gradient.at(pixel));
         let is_same = !now.is_background() && now.id == surface.id;
-        (is_same && is_visible(self.tuning, &position, now.linear_depth, gradient))
+        (is_same && is_visible(self.tuning, &position, now.linear_depth, now.gradient))
             .then(|| GradientSample { pixel: pixel.as_uvec2().into(), previous_pixel: previous_pixel.as_uvec2().into() })
             .ok_or(Lost::Gone)
     }
@@ -240,7 +236,6 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let transforms = b.instance_transforms()?;
     let inputs = ForwardProjectInputs {
         guide: b.packed("guide")?,
-        depth_gradient: b.uint("depth_gradient")?,
         previous: Some(PreviousCandidates { guide: b.packed("previous_guide")?, candidates: b.packed("previous_candidates")? }),
         instance_transforms: transforms.as_deref(),
         forward_motion: b.optional_colour("forward_motion")?,

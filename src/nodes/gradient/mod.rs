@@ -117,8 +117,7 @@ impl Graph {
                 .constant("SOURCE", 1)
                 .bind("reshaded_radiance", self.input(Input::RESHADED_RADIANCE))
                 .previous("previous_guide", guides.guide)
-                .bind("surface_motion", guides.surface_motion)
-                .bind("depth_gradient", guides.depth_gradient),
+                .bind("surface_motion", guides.surface_motion),
             Gradients::Sparse { .. } => {
                 pass.constant("SOURCE", 2).bind("sparse_gradient", self.input_per(Input::SPARSE_GRADIENT, size))
             }

@@ -11,7 +11,7 @@ use crate::reference::kept_radiance::{exposed, is_finite, kept_luminance, kept_r
 use crate::reference::projection::extent_ratio;
 use crate::reference::rules::{strata, EXACT};
 use crate::reference::strata::{unpack_gradient_sample, Strata};
-use crate::reference::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
+use crate::reference::surface_motion::unpack_surface_motion;
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Error, FrameConstants, Tuning};
 use glam::{IVec2, UVec2, Vec2};
@@ -35,8 +35,6 @@ pub(crate) enum GradientInput<'a> {
         previous_guide: Option<&'a Image<[u16; 4]>>,
         /// The image `surface_motion`, from the stage `import`.
         surface_motion: &'a Image<[u16; 4]>,
-        /// The image `depth_gradient`, from the stage `import`.
-        depth_gradient: &'a Image<u32>,
     },
     /// The host's own differences, one texel a stratum: x: δ, y: Δ.
     Sparse(Option<&'a Image<[f32; 4]>>),
@@ -203,8 +201,7 @@ impl Changes<'_> {
 
     /// The change at the previous pixel that showed the surface of `p`.
     fn reshaded(&self, p: IVec2) -> Option<Change> {
-        let GradientInput::Reshaded { reshaded_radiance, previous_guide, surface_motion, depth_gradient } = self.inputs.source
-        else {
+        let GradientInput::Reshaded { reshaded_radiance, previous_guide, surface_motion } = self.inputs.source else {
             return None;
         };
         if is_reset(self.frame) {
@@ -217,7 +214,7 @@ impl Changes<'_> {
         }
         let (now, before) = (unpack_guide(self.inputs.guide.at(p)), unpack_guide(previous_guide?.at(j)));
         let expected = now.linear_depth * (1.0 + motion.depth_ratio);
-        let slope: f32 = unpack_depth_gradient(depth_gradient.at(p)).iter().map(|g| g.abs()).sum();
+        let slope: f32 = now.gradient.iter().map(|g| g.abs()).sum();
         let tolerance = self.tuning.depth_tolerance * expected + slope;
         let is_same = !before.is_background() && before.id == now.id && (before.linear_depth - expected).abs() <= tolerance;
         let radiance = reshaded_radiance?.at(j);
@@ -267,7 +264,6 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
             reshaded_radiance: b.optional_colour("reshaded_radiance")?,
             previous_guide: Some(b.packed("previous_guide")?),
             surface_motion: b.packed("surface_motion")?,
-            depth_gradient: b.uint("depth_gradient")?,
         },
         _ => GradientInput::Sparse(b.optional_colour("sparse_gradient")?),
     };

@@ -33,8 +33,8 @@ impl Graph {
                 .level(level)
                 .grid(Grid::Strata(size))
                 .constant("STRATUM_SIZE", size)
+                .bind("guide", guides.guide)
                 .bind("gradient_guide", gradient.guide)
-                .bind("depth_gradient", guides.depth_gradient)
                 .bind("gradient_in", from)
                 .bind("gradient_out", to);
             let light_to: Option<[Image; 2]> = lights.map(|images| images.map(|pair| pair[parity]));

@@ -5,14 +5,13 @@ use crate::reference::binary16::round_to_half;
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::{Condition, Rule, Tolerance};
 use crate::reference::geometry_weights::depth_and_normal_weight;
-use crate::reference::guide::unpack_guide;
+use crate::reference::guide::{unpack_guide, Surface};
 use crate::reference::light_ratio::sample_coherence;
 use crate::reference::rules::{strata, WEIGHTED};
 use crate::reference::strata::Strata;
-use crate::reference::surface_motion::unpack_depth_gradient;
 use crate::reference::Image;
 use crate::{Error, FrameConstants, Tuning};
-use glam::{IVec2, Vec2};
+use glam::IVec2;
 
 #[cfg(test)]
 mod tests;
@@ -33,10 +32,10 @@ pub(crate) struct Light<'a> {
 /// Inputs of [`gradient_atrous`].
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct GradientAtrousInputs<'a> {
+    /// The image `guide`, from the stage `import`: whose pixels have the gradient of the depth.
+    pub guide: &'a Image<[u16; 4]>,
     /// The image `gradient_guide`, from the stage `gradient`.
     pub gradient_guide: &'a Image<[u16; 4]>,
-    /// The image `depth_gradient`, from the stage `import`.
-    pub depth_gradient: &'a Image<u32>,
     /// Gradients from the stage `gradient`, or from the iteration before.
     pub gradient: &'a Image<[f32; 4]>,
     /// Light, where its ratio is wanted.
@@ -178,7 +177,7 @@ fn weights(tuning: &Tuning, strata: Strata, level: u32, inputs: &GradientAtrousI
         return Some(vec![(s, 1.0)]);
     }
     let p = pixel_of(strata, inputs.gradient_guide, s);
-    let slope = Vec2::from(unpack_depth_gradient(inputs.depth_gradient.at(p)));
+    let surface = Surface { gradient: unpack_guide(inputs.guide.at(p)).gradient, ..surface };
     let tolerance = tuning.sigma_l * centre[3] + LUMINANCE_EPSILON;
     let weight = |t: IVec2| {
         if t == s {
@@ -189,7 +188,7 @@ fn weights(tuning: &Tuning, strata: Strata, level: u32, inputs: &GradientAtrousI
         let offset = (pixel_of(strata, inputs.gradient_guide, t) - p).as_vec2();
         let weight_l = (-(inputs.gradient.at(t)[2] - centre[2]).abs() / tolerance).exp();
         let sigmas = [tuning.sigma_z, tuning.sigma_n];
-        Some((t, weight_l * depth_and_normal_weight(sigmas, &surface, &tap, slope, offset)))
+        Some((t, weight_l * depth_and_normal_weight(sigmas, &surface, &tap, offset)))
     };
     Some((0..9).filter_map(|i| weight(s + IVec2::new(i % 3 - 1, i / 3 - 1) * (1 << level))).collect())
 }
@@ -214,8 +213,8 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let before = b.optional_colour("before_in")?;
     let light = before.map(|before| b.colour("now_in").map(|now| Light { before, now })).transpose()?;
     let inputs = GradientAtrousInputs {
+        guide: b.packed("guide")?,
         gradient_guide: b.packed("gradient_guide")?,
-        depth_gradient: b.uint("depth_gradient")?,
         gradient: b.colour("gradient_in")?,
         light,
         last: light.is_some() && b.is_on("LAST")?,

@@ -38,10 +38,13 @@ impl Graph {
         let node = self.node("import", "");
         let guide = self.named_image("guide", "", PACKED_64, 1, Lifetime::Transient);
         let surface_motion = self.named_image("surface_motion", "", PACKED_64, 1, Lifetime::Transient);
-        let depth_gradient = self.named_image("depth_gradient", "", PACKED_32, 1, Lifetime::Transient);
         let object_normal =
             import.object_normal.then(|| self.named_image("object_normal_guide", "", PACKED_32, 1, Lifetime::Transient));
-        let module = [&shaders::IMPORT_SURFACE_ID_0, &shaders::IMPORT_SURFACE_ID_1][usize::from(import.surface_id)];
+        let modules = [
+            [&shaders::IMPORT_SURFACE_ID_0_OBJECT_NORMALS_0, &shaders::IMPORT_SURFACE_ID_1_OBJECT_NORMALS_0],
+            [&shaders::IMPORT_SURFACE_ID_0_OBJECT_NORMALS_1, &shaders::IMPORT_SURFACE_ID_1_OBJECT_NORMALS_1],
+        ];
+        let module = modules[usize::from(import.object_normal)][usize::from(import.surface_id)];
         let mut pass = pass(&node, module)
             .phase(Phase::BeforeLighting)
             .bind("depth", self.input(Input::DEPTH))
@@ -51,7 +54,6 @@ impl Graph {
             .bind("instance_transforms", self.input(Input::INSTANCE_TRANSFORMS))
             .bind("guide", guide)
             .bind("surface_motion", surface_motion)
-            .bind("depth_gradient", depth_gradient)
             .bind_some("object_normal_guide", object_normal);
         if import.surface_id {
             pass = pass.bind("surface_id", self.input(Input::SURFACE_ID));
@@ -63,13 +65,13 @@ impl Graph {
             pass = pass.bind("object_normal", self.input(Input::OBJECT_NORMAL));
         }
         self.add(pass);
-        let [guide, surface_motion, depth_gradient] = [guide, surface_motion, depth_gradient].map(|image| self.refreshed(image));
+        let [guide, surface_motion] = [guide, surface_motion].map(|image| self.refreshed(image));
         let object_normal = object_normal.map(|image| self.refreshed(image));
         let material_class = import.material_class.then(|| self.input(Input::MATERIAL_CLASS));
         let rendered = match self.has_light_extent() {
             true => self.rendered_guides(import),
             false => RenderedGuides { guide, motion: Motion::Stored(surface_motion) },
         };
-        Guides { guide, surface_motion, depth_gradient, object_normal, material_class, rendered }
+        Guides { guide, surface_motion, object_normal, material_class, rendered }
     }
 }

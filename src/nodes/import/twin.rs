@@ -8,11 +8,11 @@ use crate::reference::conventions::{normal_encoding, normals_are_in_view_space, 
 use crate::reference::guide::{fold_id, pack_guide, Surface};
 use crate::reference::octahedral::{decode_normal, octahedral10};
 use crate::reference::projection::Projections;
-use crate::reference::reflection::{is_roughness, roughness_of};
+use crate::reference::reflection::is_roughness;
 use crate::reference::reprojection::{previous_normal, reproject, transform_of, HostMotion, InstanceTransform};
 use crate::reference::rules::{rule, STATISTICS, STEP};
 use crate::reference::statistics::count;
-use crate::reference::surface_motion::{pack_depth_gradient, pack_surface_motion};
+use crate::reference::surface_motion::pack_surface_motion;
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Counter, Statistics};
 use crate::{Error, FrameConstants};
@@ -77,12 +77,10 @@ impl ImportInputs<'_> {
 /// Guides as the filters read them.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct ImportOutputs {
-    /// Depth, normal, roughness and id, see [`crate::reference::guide::unpack_guide`].
+    /// Depth with its gradient, normal and id, see [`crate::reference::guide::unpack_guide`].
     pub guide: Image<[u16; 4]>,
     /// Motion and expected previous depth and normal, see [`crate::reference::surface_motion::unpack_surface_motion`].
     pub surface_motion: Image<[u16; 4]>,
-    /// See [`crate::reference::unpack_depth_gradient`].
-    pub depth_gradient: Image<u32>,
     /// Object-space normals, see [`crate::reference::octahedral10`]; where the host gives them.
     pub object_normal_guide: Option<Image<u32>>,
     /// Bad depths, normals and motions.
@@ -93,7 +91,7 @@ pub(crate) struct ImportOutputs {
 struct Texel {
     guide: [u16; 4],
     surface_motion: [u16; 4],
-    depth_gradient: u32,
+
     is_depth_bad: bool,
     is_normal_bad: bool,
     is_roughness_bad: bool,
@@ -119,7 +117,6 @@ pub(crate) fn import(frame: &FrameConstants, inputs: &ImportInputs) -> ImportOut
     ImportOutputs {
         guide: texels.map(|t| t.guide),
         surface_motion: texels.map(|t| t.surface_motion),
-        depth_gradient: texels.map(|t| t.depth_gradient),
         object_normal_guide: inputs
             .object_normal
             .map(|normals| Image::compute(extent, frame.render_extent, |p| object_normal_of(normals, p))),
@@ -127,7 +124,7 @@ pub(crate) fn import(frame: &FrameConstants, inputs: &ImportInputs) -> ImportOut
     }
 }
 
-/// The surface of a pixel of the guides, with whether its normal and its roughness were bad.
+/// The surface of a pixel of the guides without the gradient of its depth, with whether its normal and its roughness were bad.
 pub(crate) fn surface_of(
     frame: &FrameConstants,
     inputs: &ImportInputs,
@@ -145,7 +142,7 @@ pub(crate) fn surface_of(
         linear_depth,
         is_dark: inputs.albedo.is_some_and(|albedo| darkness(reflectance(albedo.at(p))) > 0.5),
         normal: normal.to_array(),
-        roughness: roughness_of(frame, roughness),
+        gradient: [0.0; 2],
         // Id 0 is the background's, so that a host without ids has one surface.
         id: id.map_or(1, fold_id),
     };
@@ -170,9 +167,8 @@ fn texel(frame: &FrameConstants, inputs: &ImportInputs, projections: &Projection
     let expected = previous_normal(surface.normal.into(), transform).to_array();
     let gradient = Vec2::from([IVec2::X, IVec2::Y].map(|axis| depth_difference(&of_guides, depths, p, axis)));
     Texel {
-        guide: pack_guide(&surface),
+        guide: pack_guide(&Surface { gradient: (gradient * ratio).to_array(), ..surface }),
         surface_motion: pack_surface_motion(motion, Some((reprojection.depth_ratio, expected))),
-        depth_gradient: pack_depth_gradient((gradient * ratio).to_array()),
         is_depth_bad,
         is_normal_bad,
         is_roughness_bad,
@@ -225,8 +221,11 @@ fn depth_difference(frame: &FrameConstants, depths: &Image<(f32, bool)>, p: IVec
     }
 }
 
-/// As above, with the guide's grid of 1/127.
-const GUIDE_STEP: Tolerance = Tolerance { absolute: 8e-3, ..STEP };
+/// As above, with the guide's grid of 1/127, and of depths with a mantissa of 12 bits.
+const GUIDE_STEP: Tolerance = Tolerance { relative: 2.5e-4, absolute: 8e-3, ..STEP };
+
+/// A step of the stored sum, and of the stored direction.
+const GRADIENT_STEP: Tolerance = Tolerance { relative: 0.26, absolute: 0.032, ..STEP };
 
 const MOTION: Tolerance = Tolerance { relative: 1.5e-3, absolute: 2e-3, outliers: 0.0 };
 
@@ -239,7 +238,7 @@ pub(crate) const RULES: &[Rule] = &[
     GUIDE,
     rule("surface_motion", Unit::Pixel, Reading::PreviousNormal, Tolerance { absolute: 2e-2, ..STEP }),
     rule("surface_motion", Unit::Pixel, Reading::SurfaceMotion, MOTION),
-    rule("depth_gradient", Unit::Pixel, Reading::DepthGradient, MOTION),
+    rule("guide", Unit::Pixel, Reading::GuideGradient, GRADIENT_STEP),
     rule("object_normal_guide", Unit::Pixel, Reading::Normal, STEP),
 ];
 
@@ -259,7 +258,6 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     b.count(&outputs.statistics)?;
     b.write("guide", outputs.guide)?;
     b.write("surface_motion", outputs.surface_motion)?;
-    b.write("depth_gradient", outputs.depth_gradient)?;
     match outputs.object_normal_guide {
         Some(normals) if b.has("object_normal_guide") => b.write("object_normal_guide", normals),
         _ => Ok(()),

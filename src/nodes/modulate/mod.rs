@@ -66,7 +66,8 @@ impl Graph {
             pass = pass
                 .constant("SPECULAR", 1)
                 .bind("specular_albedo", self.input(Input::SPECULAR_ALBEDO))
-                .bind("specular_f0", self.input(Input::SPECULAR_F0));
+                .bind("specular_f0", self.input(Input::SPECULAR_F0))
+                .bind("roughness", self.input(Input::ROUGHNESS));
         }
         if modulate.emission {
             pass = pass.bind("emission", self.input(Input::EMISSION));

@@ -8,6 +8,7 @@ use crate::reference::conventions::is_demodulated;
 use crate::reference::guide::unpack_guide;
 use crate::reference::outgoing::Outgoing;
 use crate::reference::rules::{pixels, rounded, HALF, STATISTICS, WEIGHTED};
+use crate::reference::specular_albedo::SpecularF0;
 use crate::reference::statistics::count;
 use crate::reference::Image;
 use crate::{Counter, Statistics};
@@ -22,7 +23,7 @@ pub(crate) struct SpecularAlbedos<'a> {
     /// rgb: reflectance of the coat or metal under light from everywhere.
     pub albedo: Option<&'a Image<[f32; 4]>>,
     /// rgb: reflectance at normal incidence, for a host without the other.
-    pub f0: Option<&'a Image<[f32; 4]>>,
+    pub f0: Option<SpecularF0<'a>>,
 }
 
 /// Inputs of [`modulate`]; images have the allocated extent.
@@ -100,7 +101,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         guide: rendered.unwrap_or(guide),
         irradiance: &irradiance,
         albedo: albedo.as_deref(),
-        specular: specular.then_some(SpecularAlbedos { albedo: coat, f0: b.optional_colour("specular_f0")? }),
+        specular: specular.then_some(SpecularAlbedos { albedo: coat, f0: SpecularF0::of(b)? }),
         emission: b.optional_colour("emission")?,
         outgoing: Outgoing::of(b)?,
     };

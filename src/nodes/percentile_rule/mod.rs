@@ -20,7 +20,6 @@ impl Graph {
             .bind("guide", guides.guide)
             .previous("previous_guide", guides.guide)
             .bind("surface_motion", guides.surface_motion)
-            .bind("depth_gradient", guides.depth_gradient)
             .each("block_percentiles", percentiles.images())
             .each_previous("history", history.colour());
         self.add(pass);

@@ -19,7 +19,6 @@ impl Graph {
             .grid(Grid::Guides)
             .bind("depth", self.input(Input::DEPTH))
             .bind("normal", self.input(Input::NORMAL))
-            .bind("roughness", self.input(Input::ROUGHNESS))
             .bind("rendered_guide", guide);
         if import.albedo {
             pass = pass.bind_some("albedo", self.dividing_albedo());

@@ -16,7 +16,6 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let inputs = ImportInputs {
         surface_id: b.optional_uint("surface_id")?,
         albedo: b.optional_colour("albedo")?,
-        roughness: b.optional_colour("roughness")?,
         ..ImportInputs::new(b.colour("depth")?, b.colour("normal")?)
     };
     let frame = b.frame.of_guides();

@@ -7,6 +7,7 @@ use crate::reference::compare::Rule;
 use crate::reference::conventions::{is_reset, is_reshaded};
 use crate::reference::guide::unpack_guide;
 use crate::reference::rules::{pixels, strata, HALF};
+use crate::reference::specular_albedo::SpecularF0;
 use crate::reference::strata::{unpack_gradient_sample, Strata};
 use crate::reference::Image;
 use crate::{Error, FrameConstants};
@@ -28,7 +29,7 @@ pub(crate) struct SampleAlbedoInputs<'a> {
     /// rgb: albedo by which `demodulate` divided.
     pub albedo: Option<&'a Image<[f32; 4]>>,
     /// rgb: reflectance at normal incidence, where that made the divisor.
-    pub specular_f0: Option<&'a Image<[f32; 4]>>,
+    pub specular_f0: Option<SpecularF0<'a>>,
 }
 
 /// Outputs of [`sample_albedo`].
@@ -83,7 +84,7 @@ pub(crate) const RULES: &[Rule] = &[
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let (albedo, specular_albedo) = (b.optional_colour("albedo")?, b.optional_colour("specular_albedo")?);
-    let (is_of_each, specular_f0, size) = (b.is_on("SPECULAR")?, b.optional_colour("specular_f0")?, b.stratum_size()?);
+    let (is_of_each, specular_f0, size) = (b.is_on("SPECULAR")?, SpecularF0::of(b)?, b.stratum_size()?);
     let (irradiance, albedo) = (b.colours("irradiance")?, with_coat(albedo, specular_albedo.filter(|_| !is_of_each)));
     let first = SampleAlbedoInputs {
         guide: b.packed("guide")?,

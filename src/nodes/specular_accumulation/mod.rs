@@ -84,7 +84,6 @@ impl Graph {
             .bind("guide", guides.guide)
             .previous("previous_guide", guides.guide)
             .bind("surface_motion", guides.surface_motion)
-            .bind("depth_gradient", guides.depth_gradient)
             .bind("noisy", irradiance.image())
             .bind("roughness", self.input(Input::ROUGHNESS))
             .bind_some("history_confidence", parameters.confidence.map(|confidence| confidence.image()))

@@ -16,7 +16,7 @@ use crate::reference::reflection::{
 use crate::reference::rules::{pixels, rule, STATISTICS};
 use crate::reference::scenery::Instances;
 use crate::reference::statistics::count;
-use crate::reference::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
+use crate::reference::surface_motion::unpack_surface_motion;
 use crate::reference::virtual_motion::{Mirror, VirtualMotion};
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Counter, Error, FrameConstants, Statistics, Tuning};
@@ -56,8 +56,6 @@ pub(crate) struct SpecularAccumulationInputs<'a> {
     pub guide: &'a Image<[u16; 4]>,
     /// The image `surface_motion`, from the stage `import`.
     pub surface_motion: &'a Image<[u16; 4]>,
-    /// The image `depth_gradient`, from the stage `import`.
-    pub depth_gradient: &'a Image<u32>,
     /// rgb: specular irradiance; alpha: hit distance, as the stage `demodulate` has it (0: unknown; negative: no sample).
     pub noisy: &'a Image<[f32; 4]>,
     /// Whether the history was filtered.
@@ -201,10 +199,9 @@ impl Scene<'_> {
 
     fn centre(&self, p: IVec2, surface: Surface) -> Centre {
         let motion = unpack_surface_motion(self.inputs.surface_motion.at(p));
-        let gradient = unpack_depth_gradient(self.inputs.depth_gradient.at(p));
         Centre {
             mirror: self.motion.mirror(p, motion.motion),
-            reprojected: Reprojected::new(self.frame, &self.tuning_at(p), (surface, p), &motion, gradient),
+            reprojected: Reprojected::new(self.frame, &self.tuning_at(p), (surface, p), &motion),
             origin: (texel_luminance(self.inputs.noisy.at(p)) / self.frame.exposure_ratio.max(1e-20)).min(LARGEST_HALF),
         }
     }
@@ -278,7 +275,6 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let inputs = SpecularAccumulationInputs {
         guide: b.packed("guide")?,
         surface_motion: b.packed("surface_motion")?,
-        depth_gradient: b.uint("depth_gradient")?,
         noisy: b.colour("noisy")?,
         is_filtered: b.is_on("FILTERED")?,
         is_sharp: b.is_on("SHARP")?,

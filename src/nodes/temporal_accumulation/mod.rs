@@ -60,7 +60,6 @@ impl Graph {
             .bind("guide", guides.guide)
             .previous("previous_guide", guides.guide)
             .bind("surface_motion", guides.surface_motion)
-            .bind("depth_gradient", guides.depth_gradient)
             .each_previous("history", history.colour())
             .each_previous("previous_luminance_history", history.luminance_history())
             .each("irradiance", irradiance.images())

@@ -7,7 +7,7 @@ use crate::reference::material::{classes_beyond, tuning_at};
 use crate::reference::nearest_history::SignalHistory;
 use crate::reference::octahedral::octahedral10_to_normal;
 use crate::reference::projection::extent_ratio;
-use crate::reference::surface_motion::{unpack_depth_gradient, unpack_surface_motion, SurfaceMotion};
+use crate::reference::surface_motion::{unpack_surface_motion, SurfaceMotion};
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Counter, FrameConstants, Statistics, Tuning};
 use glam::{IVec2, Vec2, Vec3};
@@ -61,8 +61,6 @@ pub(crate) struct TemporalAccumulationInputs<'a> {
     pub guide: &'a Image<[u16; 4]>,
     /// The image `surface_motion`, from the stage `import`.
     pub surface_motion: &'a Image<[u16; 4]>,
-    /// The image `depth_gradient`, from the stage `import`.
-    pub depth_gradient: &'a Image<u32>,
     /// rgb: irradiance of every signal, as written by `demodulate` or `fill_holes`; a negative alpha marks pixels without a sample of
     /// their own.
     pub irradiance: &'a [&'a Image<[f32; 4]>],
@@ -182,7 +180,7 @@ fn reprojected(
     let motion = unpack_surface_motion(inputs.surface_motion.at(p));
     let normal = inputs.object_normals.map_or(motion.previous_normal, |n| octahedral10_to_normal(n.current.at(p)));
     let motion = SurfaceMotion { previous_normal: normal, ..motion };
-    Reprojected::new(frame, tuning, (surface, p), &motion, unpack_depth_gradient(inputs.depth_gradient.at(p)))
+    Reprojected::new(frame, tuning, (surface, p), &motion)
 }
 
 /// ChangeTest pixels with their weights, and those of a cubic.
@@ -208,22 +206,16 @@ pub(crate) struct Reprojected {
 
 impl Reprojected {
     /// The surface of the pixel `p`.
-    pub(crate) fn new(
-        frame: &FrameConstants,
-        tuning: &Tuning,
-        (surface, p): (Surface, IVec2),
-        motion: &SurfaceMotion,
-        depth_gradient: [f32; 2],
-    ) -> Self {
-        let [dx, dy] = depth_gradient;
+    pub(crate) fn new(frame: &FrameConstants, tuning: &Tuning, (surface, p): (Surface, IVec2), motion: &SurfaceMotion) -> Self {
+        let depth_gradient = Vec2::from(surface.gradient);
         let linear_depth = surface.linear_depth * (1.0 + motion.depth_ratio);
         let start = (p.as_vec2() + 0.5) * extent_ratio(frame) - 0.5;
         Self {
             s: (p.as_vec2() + 0.5) * extent_ratio(frame) + Vec2::from(motion.motion) - 0.5,
             start,
             linear_depth,
-            depth_tolerance: tuning.depth_tolerance * linear_depth + dx.abs() + dy.abs(),
-            depth_gradient: Vec2::new(dx, dy),
+            depth_tolerance: tuning.depth_tolerance * linear_depth + depth_gradient.abs().element_sum(),
+            depth_gradient,
             normal: motion.previous_normal.into(),
             normal_tolerance: tuning.normal_tolerance,
             id: surface.id,

@@ -51,7 +51,6 @@ impl Graph {
                 .value("spatial_variance_frames", variance.spatial_variance_frames)
                 .value("volume_sigma_z", UNREAD)
                 .bind("guide", guides.guide)
-                .bind("depth_gradient", guides.depth_gradient)
         })
     }
 
@@ -65,7 +64,6 @@ impl Graph {
                 .value("sigma_n", UNREAD)
                 .value("sigma_z", UNREAD)
                 .bind("guide", guides.guide)
-                .bind("depth_gradient", guides.depth_gradient)
         })
     }
 

@@ -34,8 +34,6 @@ const BACKGROUND_DEVIATION: f32 = -1.0 / 16384.0;
 pub(crate) struct VarianceInputs<'a> {
     /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
-    /// The image `depth_gradient`, from the stage `import`.
-    pub depth_gradient: &'a Image<u32>,
     /// rgb: accumulated irradiance of every signal.
     pub irradiance: &'a [&'a Image<[f32; 4]>],
     /// Luminance of this frame, of every signal.
@@ -45,7 +43,7 @@ pub(crate) struct VarianceInputs<'a> {
 /// Estimates for every signal. rgb: irradiance as it came; alpha: standard deviation of its luminance, half precision.
 #[cfg(test)]
 pub(crate) fn variance(frame: &FrameConstants, tuning: &Tuning, inputs: &VarianceInputs) -> Vec<Image<[f32; 4]>> {
-    let geometry = Geometry::new(frame, tuning, inputs.guide, inputs.depth_gradient);
+    let geometry = Geometry::new(frame, tuning, inputs.guide);
     estimate(frame, tuning, &geometry, inputs.irradiance, inputs.luminance_history, deviation)
 }
 
@@ -137,7 +135,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let guide = b.packed("guide")?;
     let geometry = match b.is_on("VOLUME")? {
         true => Geometry::of_volume(b.frame, b.tuning, guide),
-        false => Geometry::new(b.frame, b.tuning, guide, b.uint("depth_gradient")?),
+        false => Geometry::new(b.frame, b.tuning, guide),
     };
     let deviation: Deviation = match b.constant("ESTIMATOR")? {
         0 => deviation,
@@ -151,10 +149,8 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         irradiance.iter().zip(new_luminance).map(|(irradiance, new)| join_luminance_history(irradiance, new)).collect();
     let estimated = estimate(b.frame, b.tuning, &geometry, &irradiance, &luminance_history.iter().collect::<Vec<_>>(), deviation);
     b.write_signals("estimate", estimated)?;
-    let packed = luminance_history.iter().map(|image| {
-        Image::compute(image.extent(), b.frame.render_extent, |p| {
-            pack_luminance_history(&image.at(p), p)
-        })
-    });
+    let packed = luminance_history
+        .iter()
+        .map(|image| Image::compute(image.extent(), b.frame.render_extent, |p| pack_luminance_history(&image.at(p), p)));
     b.write_signals("luminance_history", packed.collect())
 }

@@ -31,7 +31,6 @@ impl Graph {
             .bind("guide", guides.guide)
             .previous("previous_guide", guides.guide)
             .bind("surface_motion", guides.surface_motion)
-            .bind("depth_gradient", guides.depth_gradient)
             .bind("visibility_samples", samples.image())
             .previous("previous_visibility_history", history[0])
             .bind("instance_transforms", self.input(Input::INSTANCE_TRANSFORMS))

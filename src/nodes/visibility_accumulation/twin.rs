@@ -11,7 +11,7 @@ use crate::reference::projection::Projections;
 use crate::reference::rules::{rule, STATISTICS};
 use crate::reference::shadow_motion::{Occluders, Receiver};
 use crate::reference::statistics::count;
-use crate::reference::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
+use crate::reference::surface_motion::unpack_surface_motion;
 use crate::reference::visibility::{
     each, halves_of, histories_of, largest, lights_of, of_light, pack_visibility, write_words, Ruler, VisibilityHistory, Visible,
     LONGEST_HISTORY,
@@ -53,8 +53,6 @@ pub(crate) struct VisibilityAccumulationInputs<'a> {
     pub guide: &'a Image<[u16; 4]>,
     /// The image `surface_motion`, from the stage `import`.
     pub surface_motion: &'a Image<[u16; 4]>,
-    /// The image `depth_gradient`, from the stage `import`.
-    pub depth_gradient: &'a Image<u32>,
     /// Samples of a light, from the stage `visibility_samples`: visibility and distance of the occluder, whose signs tell what the block has.
     pub samples: &'a Image<(Visible, f32)>,
     /// By what occluders move.
@@ -117,7 +115,7 @@ pub(crate) fn visibility_accumulation(
     tuning: &Tuning,
     inputs: &VisibilityAccumulationInputs,
 ) -> (Image<VisibilityHistory>, Statistics) {
-    let geometry = Geometry::new(frame, tuning, inputs.guide, inputs.depth_gradient);
+    let geometry = Geometry::new(frame, tuning, inputs.guide);
     let light_radius = tuning.light_radii()[inputs.occluders.light];
     let samples = inputs.samples.map(Sample::new);
     let previous = inputs.previous.filter(|_| !is_reset(frame));
@@ -129,15 +127,14 @@ pub(crate) fn visibility_accumulation(
         if surface.is_background() {
             return (VisibilityHistory { mean: [1.0; 3], history_length: 1.0, ..Default::default() }, false, false);
         }
-        let gradient = unpack_depth_gradient(inputs.depth_gradient.at(p));
-        let ruler = Ruler::new(frame, surface.linear_depth, gradient);
+        let ruler = Ruler::new(frame, &surface);
         let rect = RenderRect::new(frame.render_extent);
         let around = Surroundings { geometry: &geometry, samples: &samples, rect, ruler, light_radius, ambient: inputs.ambient, p };
         let uniform = around.uniform();
         let search = uniform.map_or_else(|| around.search(), Search::of_one_kind);
         let past = previous.zip(before.as_ref()).and_then(|((_, history), surfaces)| {
             let motion = unpack_surface_motion(inputs.surface_motion.at(p));
-            let reprojected = Reprojected::new(frame, tuning, (surface, p), &motion, gradient);
+            let reprojected = Reprojected::new(frame, tuning, (surface, p), &motion);
             let past_at = |at: Reprojected| {
                 let (taps, cubic) = at.taps(surfaces)?;
                 let (past, blur) = (weighted_history(&taps, history), ruler.blur(at.s - at.s.floor()));
@@ -336,7 +333,6 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         let inputs = VisibilityAccumulationInputs {
             guide: b.packed("guide")?,
             surface_motion: b.packed("surface_motion")?,
-            depth_gradient: b.uint("depth_gradient")?,
             samples: &halves_of(b, ["visibility_samples", "sample_colours"], light)?,
             occluders: Occluders {
                 distance: Some(b.colour(&of_light("occluder_distance", light))?),

@@ -47,7 +47,6 @@ impl Graph {
                 .value("light_radius", radius_of(lights))
                 .constant("FIRST", u32::from(level == 0))
                 .bind("guide", guides.guide)
-                .bind("depth_gradient", guides.depth_gradient)
                 .bind("visibility_history", accumulated.image())
                 .bind("filter_in", from[0])
                 .bind_some("filter_in_colours", from.get(1).copied());

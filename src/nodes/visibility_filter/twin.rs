@@ -4,7 +4,6 @@ use crate::reference::bindings::Bindings;
 use crate::reference::compare::{Reading, Rule, Unit};
 use crate::reference::geometry_weights::Geometry;
 use crate::reference::rules::{pixels, rule, WEIGHTED};
-use crate::reference::surface_motion::unpack_depth_gradient;
 use crate::reference::visibility::{
     each, halves_of, histories_of, largest, lights_of, of_light, pack_halves, write_words, Ruler, VisibilityHistory, Visible,
 };
@@ -31,8 +30,6 @@ const ALONG_LEVELS: u32 = 2;
 pub(crate) struct VisibilityFilterInputs<'a> {
     /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
-    /// The image `depth_gradient`, from the stage `import`.
-    pub depth_gradient: &'a Image<u32>,
     /// Angular radius of the light.
     pub light_radius: f32,
     /// The history of this frame, which the distance of the occluder is read from.
@@ -53,14 +50,14 @@ pub(crate) fn visibility_filter(
     level: u32,
     inputs: &VisibilityFilterInputs,
 ) -> Image<(Visible, f32)> {
-    let geometry = Geometry::new(frame, tuning, inputs.guide, inputs.depth_gradient);
+    let geometry = Geometry::new(frame, tuning, inputs.guide);
     let rect = RenderRect::new(frame.render_extent);
     Image::compute(inputs.guide.extent(), frame.render_extent, |p| {
         let estimate = inputs.estimate.at(p);
         if geometry.is_background(p) {
             return estimate;
         }
-        let ruler = Ruler::new(frame, geometry.linear_depth(p), unpack_depth_gradient(inputs.depth_gradient.at(p)));
+        let ruler = Ruler::new(frame, &geometry.surface(p));
         let distance = inputs.visibility_history.at(p).occluder_distance;
         let deviation = tuning.penumbra_blur * inputs.light_radius * distance / ruler.longer();
         let variance = share_of_level((deviation * deviation).min(1e6), level);
@@ -146,7 +143,6 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         };
         let inputs = VisibilityFilterInputs {
             guide: b.packed("guide")?,
-            depth_gradient: b.uint("depth_gradient")?,
             light_radius: b.tuning.light_radii()[light],
             visibility_history: &histories_of(b, ["visibility_history", ""], light)?,
             estimate: &estimate,

@@ -64,10 +64,9 @@ fn counts_are_added_to_those_before() {
     let counts = |counts: &[(Counter, u32)]| Texels::Bytes(counted(counts).as_bytes().to_vec());
     let before = counts(&[(Counter::Depth, 1), (Counter::Radiance, 7)]);
     let guide = Texels::Packed(Image::new([2, 1], pack_guide(&surface(2.0))));
-    let flat = Texels::Uint(Image::new([2, 1], 0));
     let noisy = Texels::Colour(paint([2, 1], |x, _| [if x == 0 { f32::NAN } else { 1.0 }; 4]));
     let mut b = Bindings::new("demodulate", &frame, &tuning).with_constants(&[("SAMPLING", 0), ("SPECULAR", 0)]);
-    for (name, texels) in [("statistics", &before), ("guide", &guide), ("depth_gradient", &flat), ("noisy_0", &noisy)] {
+    for (name, texels) in [("statistics", &before), ("guide", &guide), ("noisy_0", &noisy)] {
         b.reads(name, texels);
     }
     b.writes("statistics", [size_of::<Statistics>() as u32, 1]);
@@ -86,21 +85,17 @@ fn a_constant_chooses_the_kernel_and_the_geometry() {
     let (frame, tuning) = (frame(EXTENT), svgf_tuning());
     let scene = guides(EXTENT, |x, _| surface(if x < 5 { 2.0 } else { 2.3 }));
     let image = noise(EXTENT, 3).map(|t| [t[0], t[0], t[0], 0.5]);
-    let (guide, depth_gradient) = (Texels::Packed(scene.guide.clone()), Texels::Uint(scene.depth_gradient.clone()));
+    let guide = Texels::Packed(scene.guide.clone());
     let input = Texels::Colour(image.clone());
     let run = |constants: &[(&str, u32)]| {
         let mut b = Bindings::new("atrous", &frame, &tuning).with_level(1).with_constants(constants);
         b.reads("guide", &guide);
         b.reads("input_0", &input);
         b.writes("output_0", EXTENT);
-        if !constants.contains(&("VOLUME", 1)) {
-            b.reads("depth_gradient", &depth_gradient);
-        }
         crate::nodes::atrous::twin::twin(&mut b).expect("all is bound");
         b.into_written().remove(0).1
     };
-    let inputs =
-        AtrousInputs { guide: &scene.guide, depth_gradient: &scene.depth_gradient, reflection: None, irradiance: &[&image] };
+    let inputs = AtrousInputs { guide: &scene.guide, reflection: None, irradiance: &[&image] };
     let level = AtrousLevel::new(1);
     let surfaces = |level| atrous(&frame, &tuning, level, &inputs).remove(0);
     let expected = [

@@ -206,8 +206,7 @@ impl Value {
         };
         match self {
             Self::Guides(guides) => {
-                let all =
-                    [("guide", guides.guide), ("surface_motion", guides.surface_motion), ("depth_gradient", guides.depth_gradient)];
+                let all = [("guide", guides.guide), ("surface_motion", guides.surface_motion)];
                 let normal = guides.object_normal.map(|normal| ("object_normal", normal));
                 all.into_iter().chain(normal).map(|(name, image)| (name, image.into())).collect()
             }

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::reference::test_scene::*;
-use crate::reference::{pack_depth_gradient, pack_reflection, SeenReflection, Surface};
+use crate::reference::{pack_reflection, SeenReflection, Surface};
 
 const EXTENT: [u32; 2] = [24, 9];
 
@@ -10,7 +10,7 @@ const EXTENT: [u32; 2] = [24, 9];
 /// middle row.
 fn filtered(tuning: &Tuning, gradient: f32, left: impl Fn(i32, &mut Surface), right: impl Fn(i32, &mut Surface)) -> Vec<f32> {
     let scene = guides(EXTENT, |x, _| {
-        let mut s = surface(10.0);
+        let mut s = Surface { gradient: [gradient, 0.0], ..surface(10.0) };
         if x < 12 {
             left(x, &mut s);
         } else {
@@ -18,11 +18,10 @@ fn filtered(tuning: &Tuning, gradient: f32, left: impl Fn(i32, &mut Surface), ri
         }
         s
     });
-    let depth_gradient = Image::new(EXTENT, pack_depth_gradient([gradient, 0.0]));
     // A large deviation: luminance alone would not stop.
     let mut image = paint(EXTENT, |x, _| if x < 12 { [1.0, 1.0, 1.0, 100.0] } else { [8.0, 8.0, 8.0, 100.0] });
     for level in 0..5 {
-        let inputs = AtrousInputs { guide: &scene.guide, depth_gradient: &depth_gradient, reflection: None, irradiance: &[&image] };
+        let inputs = AtrousInputs { guide: &scene.guide, reflection: None, irradiance: &[&image] };
         image = atrous(&frame(EXTENT), tuning, AtrousLevel::new(level), &inputs).remove(0);
     }
     (0..24).map(|x| image.get(x, 4).expect("inside")[0]).collect()
@@ -88,8 +87,7 @@ fn luminance_stops_where_the_deviation_is_small() {
             let l = if x < 12 { 1.0 } else { 2.0 };
             [l, l, l, deviation]
         });
-        let inputs =
-            AtrousInputs { guide: &scene.guide, depth_gradient: &scene.depth_gradient, reflection: None, irradiance: &[&image] };
+        let inputs = AtrousInputs { guide: &scene.guide, reflection: None, irradiance: &[&image] };
         let output = atrous(&frame(EXTENT), &svgf_tuning(), AtrousLevel::new(0), &inputs).remove(0);
         output.get(12, 4).expect("inside")[0] - output.get(11, 4).expect("inside")[0]
     };
@@ -107,8 +105,7 @@ fn the_deviation_in_the_weight_is_blurred_over_three_by_three() {
     // The centre is certain, its neighbours are not: without the blur nothing would pass.
     let scene = guides([5, 5], |_, _| surface(10.0));
     let image = paint([5, 5], |x, y| if (x, y) == (2, 2) { [1.0, 1.0, 1.0, 0.0] } else { [2.0, 2.0, 2.0, 1.0] });
-    let inputs =
-        AtrousInputs { guide: &scene.guide, depth_gradient: &scene.depth_gradient, reflection: None, irradiance: &[&image] };
+    let inputs = AtrousInputs { guide: &scene.guide, reflection: None, irradiance: &[&image] };
     let [l, ..] = atrous(&frame([5, 5]), &svgf_tuning(), AtrousLevel::new(0), &inputs).remove(0).at(IVec2::new(2, 2));
     let (centre, w) = (9.0 / 64.0, (-1.0_f32 / (4.0 * 0.75_f32.sqrt() + 1e-4)).exp());
     let expected = (centre + (1.0 - centre) * w * 2.0) / (centre + (1.0 - centre) * w);
@@ -124,12 +121,7 @@ fn a_mirror_is_not_filtered_and_the_roughest_surface_as_diffuse_light_is() {
     let image = noise(extent, 7).map(|t| [t[0], t[0], t[0], 4.0]);
     let filtered = |seen: Option<SeenReflection>| {
         let reflection = seen.map(|seen| Image::new(extent, pack_reflection(&seen, None)));
-        let inputs = AtrousInputs {
-            guide: &scene.guide,
-            depth_gradient: &scene.depth_gradient,
-            reflection: reflection.as_ref(),
-            irradiance: &[&image],
-        };
+        let inputs = AtrousInputs { guide: &scene.guide, reflection: reflection.as_ref(), irradiance: &[&image] };
         atrous(&frame, &svgf_tuning(), AtrousLevel::new(0), &inputs).remove(0)
     };
     let at = |roughness, hit_distance| filtered(Some(SeenReflection { hit_distance, roughness })).at(IVec2::new(9, 9))[0];
@@ -151,7 +143,7 @@ fn specular_light_beside_diffuse_light_is_filtered_as_it_is_alone() {
     let [diffuse, specular] = [3, 8].map(|seed| noise(extent, seed).map(|t| [t[0], t[1], t[2], 4.0]));
     for luminance_weight in LuminanceWeight::ALL {
         let filtered = |reflection, irradiance: &[&Image<[f32; 4]>]| {
-            let inputs = AtrousInputs { guide: &scene.guide, depth_gradient: &scene.depth_gradient, reflection, irradiance };
+            let inputs = AtrousInputs { guide: &scene.guide, reflection, irradiance };
             atrous(&frame, &svgf_tuning(), AtrousLevel { luminance_weight, ..AtrousLevel::new(1) }, &inputs)
         };
         let alone = [filtered(None, &[&diffuse]).remove(0), filtered(Some(&reflection), &[&specular]).remove(0)];

@@ -13,8 +13,7 @@ fn run(frame: &FrameConstants, level: u32, guides: &Guides, image: &Image<[f32; 
 }
 
 fn tuned(frame: &FrameConstants, tuning: &Tuning, level: u32, guides: &Guides, image: &Image<[f32; 4]>) -> Image<[f32; 4]> {
-    let inputs =
-        AtrousInputs { guide: &guides.guide, depth_gradient: &guides.depth_gradient, reflection: None, irradiance: &[image] };
+    let inputs = AtrousInputs { guide: &guides.guide, reflection: None, irradiance: &[image] };
     atrous(frame, tuning, AtrousLevel::new(level), &inputs).remove(0)
 }
 
@@ -42,8 +41,7 @@ fn a_constant_image_is_a_fixed_point() {
 
 fn of_means(level: u32, image: &Image<[f32; 4]>) -> Image<[f32; 4]> {
     let scene = flat(image.extent());
-    let inputs =
-        AtrousInputs { guide: &scene.guide, depth_gradient: &scene.depth_gradient, reflection: None, irradiance: &[image] };
+    let inputs = AtrousInputs { guide: &scene.guide, reflection: None, irradiance: &[image] };
     let level = AtrousLevel { luminance_weight: LuminanceWeight::OfMeans, ..AtrousLevel::new(level) };
     atrous(&frame(image.extent()), &svgf_tuning(), level, &inputs).remove(0)
 }
@@ -172,8 +170,7 @@ fn signals_share_nothing_but_geometry() {
     let (a, b, c) =
         (with_deviation(&noise(EXTENT, 1), 0.2), with_deviation(&noise(EXTENT, 2), 0.4), with_deviation(&noise(EXTENT, 3), 0.1));
     let guides = guides(EXTENT, |x, y| surface(4.0 + 0.01 * (x * y) as f32));
-    let inputs =
-        AtrousInputs { guide: &guides.guide, depth_gradient: &guides.depth_gradient, reflection: None, irradiance: &[&a, &b, &c] };
+    let inputs = AtrousInputs { guide: &guides.guide, reflection: None, irradiance: &[&a, &b, &c] };
     let together = atrous(&frame(EXTENT), &svgf_tuning(), AtrousLevel::new(1), &inputs);
     assert_eq!(together.len(), 3);
     for (output, image) in together.iter().zip([&a, &b, &c]) {

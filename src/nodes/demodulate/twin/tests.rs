@@ -16,7 +16,6 @@ fn run(guides: &Guides, noisy: &[&Image<[f32; 4]>], albedo: Option<&Image<[f32; 
         &Tuning::default(),
         &DemodulateInputs {
             guide: &guides.guide,
-            depth_gradient: &guides.depth_gradient,
             noisy,
             albedo,
             specular_f0: None,
@@ -130,7 +129,6 @@ fn outside_the_render_extent_nothing_is_read() {
     let guides = guides(large, |_, _| surface(4.0));
     let inputs = DemodulateInputs {
         guide: &guides.guide,
-        depth_gradient: &guides.depth_gradient,
         noisy: &[&loose],
         albedo: Some(&loose),
         specular_f0: None,
@@ -150,7 +148,6 @@ fn hit_distances_stand_in_alpha_and_bad_ones_are_counted() {
     let (noisy, distances) = (Image::new(extent, [1.0; 4]), paint(extent, |x, _| [given[x as usize]; 4]));
     let inputs = DemodulateInputs {
         guide: &guides.guide,
-        depth_gradient: &guides.depth_gradient,
         noisy: &[&noisy],
         albedo: None,
         specular_f0: None,
@@ -165,13 +162,13 @@ fn hit_distances_stand_in_alpha_and_bad_ones_are_counted() {
 
 #[test]
 fn specular_light_comes_back_through_either_albedo() {
-    let guides = guides(EXTENT, |_, _| Surface { roughness: 0.4, ..surface(4.0) });
+    let (guides, roughness) = (guides(EXTENT, |_, _| surface(4.0)), Image::new(EXTENT, [0.4; 4]));
     let (noisy, none) = (Image::new(EXTENT, [0.5, 0.25, 2.0, 0.0]), Image::new(EXTENT, [0.0; 4]));
     let reflectance = paint(EXTENT, |x, _| if x == 0 { [f32::NAN, 0.0, 0.5, 0.0] } else { [0.9, 0.0, 0.04, 0.0] });
-    for (albedo, f0) in [(Some(&reflectance), None), (None, Some(&reflectance))] {
+    let f0 = SpecularF0 { image: &reflectance, roughness: Some(&roughness) };
+    for (albedo, f0) in [(Some(&reflectance), None), (None, Some(f0))] {
         let inputs = DemodulateInputs {
             guide: &guides.guide,
-            depth_gradient: &guides.depth_gradient,
             noisy: &[&noisy],
             albedo,
             specular_f0: f0,

@@ -29,7 +29,6 @@ impl Wall {
     fn inputs(&self) -> ForwardProjectInputs<'_> {
         ForwardProjectInputs {
             guide: &self.guides.guide,
-            depth_gradient: &self.guides.depth_gradient,
             previous: None,
             instance_transforms: None,
             forward_motion: None,

@@ -103,7 +103,6 @@ fn a_dense_image_counts_where_the_surface_was() {
             reshaded_radiance: Some(&again),
             previous_guide: Some(&guides.guide),
             surface_motion: &guides.surface_motion,
-            depth_gradient: &guides.depth_gradient,
         },
     };
     let outputs = gradient(&frame(EXTENT), &svgf_tuning(), 3, &inputs);
@@ -119,7 +118,6 @@ fn a_dense_image_counts_where_the_surface_was() {
         reshaded_radiance: Some(&again),
         previous_guide: Some(&hidden),
         surface_motion: &guides.surface_motion,
-        depth_gradient: &guides.depth_gradient,
     };
     let outputs = gradient(&frame(EXTENT), &svgf_tuning(), 3, &GradientInputs { source, ..inputs });
     assert!(outputs.gradient.texels().iter().all(|g| g[..2] == [0.0, 0.0]), "another surface was there");

@@ -10,15 +10,10 @@ const EXTENT: [u32; 2] = [72, 60];
 /// Runs all iterations on strata whose guides are `surfaces`, at their first pixels.
 fn reconstructed(gradient: &Image<[f32; 4]>, surfaces: impl Fn(i32, i32) -> Surface) -> Image<[f32; 4]> {
     let gradient_guide = paint(STRATA, surfaces).map(pack_guide).map(|t| [t[0], t[1], t[2], t[3] & !0xf0]);
-    let depth_gradient = Image::new(EXTENT, 0);
+    let guide = Image::new(EXTENT, pack_guide(&surface(4.0)));
     (0..GRADIENT_ITERATIONS).fold(gradient.clone(), |gradient, level| {
-        let inputs = GradientAtrousInputs {
-            gradient_guide: &gradient_guide,
-            depth_gradient: &depth_gradient,
-            gradient: &gradient,
-            light: None,
-            last: false,
-        };
+        let inputs =
+            GradientAtrousInputs { guide: &guide, gradient_guide: &gradient_guide, gradient: &gradient, light: None, last: false };
         gradient_atrous(&frame(EXTENT), &svgf_tuning(), 3, level, &inputs).gradient
     })
 }
@@ -159,12 +154,12 @@ fn a_ratio_that_is_known_is_not_blurred() {
         let light = |x: i32| light_of(&[([1.0; 3], [if x < 12 { 1.0 } else { 2.0 }; 3])], times);
         let gradient = Image::new(STRATA, [0.5, 1.0, 1.0, 0.1]);
         let gradient_guide = paint(STRATA, |_, _| surface(4.0)).map(pack_guide).map(|t| [t[0] & !0xf, t[1], t[2], t[3]]);
-        let depth_gradient = Image::new(EXTENT, 0);
+        let guide = Image::new(EXTENT, pack_guide(&surface(4.0)));
         let mut images = [0, 1].map(|which| paint(STRATA, |x, _| light(x)[which]));
         for level in 0..GRADIENT_ITERATIONS {
             let inputs = GradientAtrousInputs {
+                guide: &guide,
                 gradient_guide: &gradient_guide,
-                depth_gradient: &depth_gradient,
                 gradient: &gradient,
                 light: Some(Light { before: &images[0], now: &images[1] }),
                 last: level + 1 == GRADIENT_ITERATIONS,

@@ -64,7 +64,6 @@ impl Wall {
         SpecularAccumulationInputs {
             guide: &self.guides.guide,
             surface_motion: &self.guides.surface_motion,
-            depth_gradient: &self.guides.depth_gradient,
             noisy: &self.noisy,
             is_filtered: self.is_filtered,
             is_sharp: self.is_sharp,
@@ -162,7 +161,6 @@ fn a_rough_surface_without_hit_distance_is_as_diffuse_light() {
         &TemporalAccumulationInputs {
             guide: &wall.guides.guide,
             surface_motion: &wall.guides.surface_motion,
-            depth_gradient: &wall.guides.depth_gradient,
             irradiance: &[&wall.noisy],
             object_normals: None,
             material_class: None,

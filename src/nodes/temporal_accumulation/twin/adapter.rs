@@ -53,7 +53,6 @@ fn surfaces(b: &Bindings, irradiance: &[&Image<[f32; 4]>], previous: PreviousFra
     let inputs = TemporalAccumulationInputs {
         guide: b.packed("guide")?,
         surface_motion: b.packed("surface_motion")?,
-        depth_gradient: b.uint("depth_gradient")?,
         irradiance,
         object_normals: normals.map(|(current, previous)| ObjectNormals { current, previous }),
         material_class: b.optional_uint("material_class")?,

@@ -3,7 +3,7 @@
 use super::tests::inputs;
 use super::*;
 use crate::reference::test_scene::*;
-use crate::reference::{pack_depth_gradient, pack_guide, pack_surface_motion};
+use crate::reference::{pack_guide, pack_surface_motion};
 
 const EXTENT: [u32; 2] = [7, 7];
 const NEW: f32 = 100.0;
@@ -47,9 +47,8 @@ impl Scene {
             paint(EXTENT, |x, y| LuminanceHistory { mean: x as f32, deviation: 0.5, history_length: 1000.0 + y as f32, reason: 1 });
         let new = Image::new(EXTENT, [NEW, NEW, NEW, 0.0]);
         let guides = Guides {
-            guide: Image::new(EXTENT, pack_guide(&self.now)),
+            guide: Image::new(EXTENT, pack_guide(&Surface { gradient: self.gradient, ..self.now })),
             surface_motion: Image::new(EXTENT, pack_surface_motion(self.motion, Some(self.expected))),
-            depth_gradient: Image::new(EXTENT, pack_depth_gradient(self.gradient)),
         };
         let output = temporal_accumulation(
             &frame(EXTENT),
@@ -170,7 +169,6 @@ fn another_render_extent_is_scaled() {
         &TemporalAccumulationInputs {
             guide: &guides.guide,
             surface_motion: &guides.surface_motion,
-            depth_gradient: &guides.depth_gradient,
             irradiance: &[&Image::new(now, [0.0; 4])],
             object_normals: None,
             material_class: None,
@@ -209,7 +207,6 @@ fn signals_are_independent_but_for_taps_and_length() {
                 &TemporalAccumulationInputs {
                     guide: &guides.guide,
                     surface_motion: &guides.surface_motion,
-                    depth_gradient: &guides.depth_gradient,
                     irradiance: &new.iter().collect::<Vec<_>>(),
                     object_normals: None,
                     material_class: None,

@@ -33,7 +33,6 @@ pub(super) fn inputs<'a>(guides: &'a Guides, irradiance: &'a [&'a Image<[f32; 4]
     TemporalAccumulationInputs {
         guide: &guides.guide,
         surface_motion: &guides.surface_motion,
-        depth_gradient: &guides.depth_gradient,
         irradiance,
         object_normals: None,
         material_class: None,

@@ -273,11 +273,8 @@ fn neither_parity_nor_the_allocation_changes_a_bit() {
     let history = noise(EXTENT, 5).map(|t| Kept::new(Vec3::new(t[0], t[1], t[2]), 2.0, 4.0));
     let mut tight = flat(EXTENT);
     tight.surface_motion = Image::new(EXTENT, pack_surface_motion([0.75, -3.5], None));
-    let loose = Guides {
-        guide: embed(&tight.guide, large, [0x7fff; 4]),
-        surface_motion: embed(&tight.surface_motion, large, [0x7e00; 4]),
-        depth_gradient: Image::new(large, 0),
-    };
+    let loose =
+        Guides { guide: embed(&tight.guide, large, [0x7fff; 4]), surface_motion: embed(&tight.surface_motion, large, [0x7e00; 4]) };
     let expected = run(&frame(EXTENT), &tight, &image, Some(&history));
     let in_large = FrameConstants {
         render_extent: EXTENT,

@@ -8,12 +8,7 @@ const EXTENT: [u32; 2] = [15, 13];
 
 fn deviations(frame: &FrameConstants, guides: &Guides, luminance_history: &Image<LuminanceHistory>) -> Image<f32> {
     let c = noise(luminance_history.extent(), 9);
-    let inputs = VarianceInputs {
-        guide: &guides.guide,
-        depth_gradient: &guides.depth_gradient,
-        irradiance: &[&c],
-        luminance_history: &[luminance_history],
-    };
+    let inputs = VarianceInputs { guide: &guides.guide, irradiance: &[&c], luminance_history: &[luminance_history] };
     let output = variance(frame, &svgf_tuning(), &inputs).remove(0);
     let kept = |a: &[f32; 4], b: &[f32; 4]| (0..3).all(|i| a[i] == crate::reference::round_to_half(b[i]));
     assert!(output.texels().iter().zip(c.texels()).all(|(a, b)| kept(a, b)), "irradiance passes");
@@ -94,7 +89,7 @@ fn two_signals_and_a_larger_allocation_change_nothing() {
                guides: &Guides,
                irradiance: &[&Image<[f32; 4]>],
                luminance_history: &[&Image<LuminanceHistory>]| {
-        let inputs = VarianceInputs { guide: &guides.guide, depth_gradient: &guides.depth_gradient, irradiance, luminance_history };
+        let inputs = VarianceInputs { guide: &guides.guide, irradiance, luminance_history };
         variance(frame, &svgf_tuning(), &inputs)
     };
     let one = run(&frame(EXTENT), &tight, &[&b], &[&luminance_history]).remove(0);

@@ -4,7 +4,7 @@ use super::*;
 use crate::nodes::visibility_samples::twin::visibility_samples;
 use crate::reference::test_scene::*;
 use crate::reference::visibility::{halves, unpack_visibility};
-use crate::reference::{pack_depth_gradient, pack_surface_motion, InstanceTransform};
+use crate::reference::{pack_surface_motion, InstanceTransform};
 use crate::FrameParams;
 
 const EXTENT: [u32; 2] = [24, 24];
@@ -43,7 +43,6 @@ impl Sequence {
         let inputs = VisibilityAccumulationInputs {
             guide: &g.guide,
             surface_motion: &g.surface_motion,
-            depth_gradient: &g.depth_gradient,
             samples,
             occluders: Occluders { distance: Some(&distance), id: Some(&id), transforms, ..Default::default() },
             ambient: false,
@@ -164,7 +163,6 @@ fn occluders_without_a_motion_that_can_be_used_are_counted() {
         let inputs = VisibilityAccumulationInputs {
             guide: &g.guide,
             surface_motion: &g.surface_motion,
-            depth_gradient: &g.depth_gradient,
             samples: &shadow,
             occluders,
             ambient: false,
@@ -203,7 +201,6 @@ fn a_reset_frame_and_the_background_have_no_past() {
         ambient: false,
         guide: &g.guide,
         surface_motion: &g.surface_motion,
-        depth_gradient: &Image::new(EXTENT, pack_depth_gradient([0.0; 2])),
         samples: &lit,
         occluders: Occluders::default(),
         previous: Some((&sequence.guides.guide, sequence.history.as_ref().expect("a frame"))),

@@ -16,7 +16,6 @@ fn filtered(radius: f32, deviation: f32, estimate: impl Fn(i32, i32) -> f32) -> 
     let filtered = (0..4).fold(paint(EXTENT, |x, y| ([estimate(x, y); 3], deviation)), |estimate, level| {
         let inputs = VisibilityFilterInputs {
             guide: &g.guide,
-            depth_gradient: &g.depth_gradient,
             light_radius: tuning.light_radius,
             visibility_history: &history,
             estimate: &estimate,

@@ -11,7 +11,7 @@ const UNIFORM: f32 = 0.288_675;
 fn deviations(guides: &Guides, luminance_history: &Image<LuminanceHistory>) -> Vec<f32> {
     let tuning = Tuning::default();
     let frame = frame(luminance_history.extent());
-    let geometry = Geometry::new(&frame, &tuning, &guides.guide, &guides.depth_gradient);
+    let geometry = Geometry::new(&frame, &tuning, &guides.guide);
     let inner = (4..EXTENT[1] as i32 - 4).flat_map(|y| (4..EXTENT[0] as i32 - 4).map(move |x| IVec2::new(x, y)));
     inner.map(|p| deviation_of_mean(&frame, &tuning, &geometry, luminance_history, p)).collect()
 }
@@ -113,7 +113,7 @@ fn another_surface_says_nothing() {
 fn what_was_filled_in_may_be_noise_though_it_is_smooth() {
     let slope = paint(EXTENT, |x, _| of(0.25 * x as f32, 0.0, 1.0));
     let (tuning, frame, guides) = (Tuning::default(), frame(EXTENT), flat());
-    let geometry = Geometry::new(&frame, &tuning, &guides.guide, &guides.depth_gradient);
+    let geometry = Geometry::new(&frame, &tuning, &guides.guide);
     let at = |deviation: fn(&FrameConstants, &Tuning, &Geometry, &Image<LuminanceHistory>, IVec2) -> f32| {
         deviation(&frame, &tuning, &geometry, &slope, IVec2::splat(20))
     };
