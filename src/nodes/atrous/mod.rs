@@ -100,9 +100,7 @@ impl Graph {
                 &shaders::ATROUS_SIGNALS_1_SPECULAR_1_MATERIAL_1,
                 &shaders::ATROUS_SIGNALS_2_SPECULAR_1_MATERIAL_1,
             ),
-            (None, Some(_)) => {
-                by_signals(estimate, &shaders::ATROUS_SIGNALS_1_MATERIAL_1, &shaders::ATROUS_SIGNALS_2_MATERIAL_1)
-            }
+            (None, Some(_)) => by_signals(estimate, &shaders::ATROUS_SIGNALS_1_MATERIAL_1, &shaders::ATROUS_SIGNALS_2_MATERIAL_1),
         };
         let levels = Levels { node: &node, count: atrous.levels, feedback: atrous.feedback };
         self.levels(levels, estimate, |name, level| {
