@@ -55,13 +55,10 @@ const uint SPECULAR_ALBEDO = 16u;
 const uint ROUGHNESS = 14u;
 
 layout(set = 0, binding = 2) uniform utexture2D guide;
-layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
 layout(set = 0, binding = NOISY_0) uniform texture2D noisy_0;
 layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D irradiance_0;
 layout(set = 0, binding = NOISY_1) uniform texture2D noisy_1;
 layout(set = 0, binding = 7, rgba16f) uniform writeonly image2D irradiance_1;
-layout(set = 0, binding = SPECULAR_F0) uniform texture2D specular_f0;
-layout(set = 0, binding = SPECULAR_ALBEDO) uniform texture2D specular_albedo;
 layout(set = 0, binding = SPECULAR_HIT_DISTANCE) uniform texture2D specular_hit_distance;
 #if LUMINANCE
 layout(set = 0, binding = 8, r32ui) uniform writeonly uimage2D noisy_luminance;
@@ -71,23 +68,7 @@ layout(set = 0, binding = NOISY_RED_BLUE, r32ui) uniform writeonly uimage2D nois
 layout(set = 0, binding = CANDIDATES) uniform utexture2D candidates;
 #endif
 
-#include "specular_albedo.glsl"
-
-vec3 coat_at(ivec2 traced) { return texelFetch(specular_albedo, host_pixel(SPECULAR_ALBEDO, traced), 0).rgb; }
-
-// `second`: of the second signal, where that is specular light.
-vec3 divisor_at(ivec2 p, GuideBits packed, bool second, out bool bad) {
-    bool has_albedo = is_present(second ? SPECULAR_ALBEDO : ALBEDO), from_f0 = !has_albedo && second == SPECULAR && is_present(SPECULAR_F0);
-    bad = false;
-    if ((!has_albedo && !from_f0) || guide_depth(packed) == 0.0) return vec3(1.0);
-    ivec2 traced = guide_pixel(p);
-    vec3 a;
-    if (from_f0) a = texelFetch(specular_f0, host_pixel(SPECULAR_F0, traced), 0).rgb;
-    else if (second) a = coat_at(traced);
-    else a = texelFetch(albedo, host_pixel(ALBEDO, traced), 0).rgb + (!SPECULAR && is_present(SPECULAR_ALBEDO) ? coat_at(traced) : vec3(0.0));
-    bad = !is_finite(a);
-    return divisor_of(from_f0 ? specular_albedo_from(a, p, packed) : a);
-}
+#include "divisor.glsl"
 
 // How far away is what is seen in a surface, so that a half float holds it.
 float hit_distance_at(ivec2 p) {

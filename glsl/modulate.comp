@@ -47,27 +47,21 @@ layout(constant_id = 2) const bool GATHERS = true;
 #else
 layout(set = 0, binding = 2) uniform utexture2D guide;
 #endif
-layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
 layout(set = 0, binding = EMISSION) uniform texture2D emission;
 layout(set = 0, binding = DENOISED_RADIANCE, OUTGOING_FORMAT) uniform writeonly image2D denoised_radiance;
 layout(set = 0, binding = FILTERED_0) uniform texture2D filtered_0;
 layout(set = 0, binding = FILTERED_1) uniform texture2D filtered_1;
-layout(set = 0, binding = SPECULAR_ALBEDO) uniform texture2D specular_albedo;
-layout(set = 0, binding = SPECULAR_F0) uniform texture2D specular_f0;
 
-#include "specular_albedo.glsl"
+#include "divisor.glsl"
 
-vec3 factor_at(ivec2 p, GuideBits packed) {
+// Light that comes divided is multiplied by the albedo itself.
+vec3 factor_at(ivec2 p, GuideBits packed, bool second) {
+    bool bad;
+    if (second || !has_convention(DEMODULATED)) return divisor_at(p, packed, second, bad);
     if (!is_present(ALBEDO) || guide_depth(packed) == 0.0) return vec3(1.0);
-    vec3 a = texelFetch(albedo, host_pixel(ALBEDO, p), 0).rgb;
-    if (!SPECULAR && is_present(SPECULAR_ALBEDO)) a += texelFetch(specular_albedo, host_pixel(SPECULAR_ALBEDO, p), 0).rgb;
-    if (!has_convention(DEMODULATED)) return divisor_of(a);
+    vec3 a = albedo_at(p);
     if (!is_finite(a)) count_bad(BAD_ALBEDO);
     return reflectance_of(a);
-}
-
-vec3 specular_factor_at(ivec2 p, GuideBits packed) {
-    return divisor_from(p, packed, is_present(SPECULAR_ALBEDO), SPECULAR_ALBEDO, specular_albedo, is_present(SPECULAR_F0), SPECULAR_F0, specular_f0);
 }
 
 vec3 emission_at(ivec2 p) {
@@ -80,8 +74,8 @@ vec3 emission_at(ivec2 p) {
 
 void modulate(ivec2 p, GuideBits packed, vec3 first, vec3 second) {
     if (!SPECULAR) first += second;
-    vec3 radiance = first * factor_at(p, packed);
-    if (SPECULAR) radiance += second * specular_factor_at(p, packed);
+    vec3 radiance = first * factor_at(p, packed, false);
+    if (SPECULAR) radiance += second * factor_at(p, packed, true);
     radiance = radiance * frame.inverse_filter_exposure + emission_at(p);
     if (is_too_bright(radiance)) count_bad(SATURATED);
     imageStore(denoised_radiance, host_pixel(DENOISED_RADIANCE, p), vec4(outgoing(radiance), 1.0));

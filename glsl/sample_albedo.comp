@@ -37,13 +37,10 @@ layout(set = 0, binding = 4) uniform texture2D previous_candidate_albedo_0;
 layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D candidate_albedo_0;
 layout(set = 0, binding = 6, rgba16f) uniform image2D irradiance_0;
 layout(set = 0, binding = IRRADIANCE_1, rgba16f) uniform image2D irradiance_1;
-layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
-layout(set = 0, binding = SPECULAR_F0) uniform texture2D specular_f0;
-layout(set = 0, binding = SPECULAR_ALBEDO) uniform texture2D specular_albedo;
 layout(set = 0, binding = 11) uniform texture2D previous_candidate_albedo_1;
 layout(set = 0, binding = 12, rgba16f) uniform writeonly image2D candidate_albedo_1;
 
-#include "specular_albedo.glsl"
+#include "divisor.glsl"
 
 // As candidate_albedo has it: the same divisor gives a factor of 1.
 vec3 as_halves(vec3 v) {
@@ -51,21 +48,9 @@ vec3 as_halves(vec3 v) {
     return vec3(unpackHalf2x16(packHalf2x16(v.rg)), unpackHalf2x16(packHalf2x16(v.bb)).x);
 }
 
-vec3 divisor_at(ivec2 p) {
-    GuideBits packed = GuideBits(texelFetch(guide, p, 0));
-    if (SPECULAR) return as_halves(divisor_from(p, packed, is_present(ALBEDO), ALBEDO, albedo, false, SPECULAR_F0, specular_f0));
-    if (is_present(ALBEDO) && is_present(SPECULAR_ALBEDO) && guide_depth(packed) != 0.0) {
-        ivec2 traced = guide_pixel(p);
-        vec3 both = texelFetch(albedo, host_pixel(ALBEDO, traced), 0).rgb + texelFetch(specular_albedo, host_pixel(SPECULAR_ALBEDO, traced), 0).rgb;
-        return as_halves(divisor_of(both));
-    }
-    return as_halves(divisor_from(p, packed, is_present(ALBEDO), ALBEDO, albedo, is_present(SPECULAR_F0), SPECULAR_F0, specular_f0));
-}
-
-vec3 specular_divisor_at(ivec2 p) {
-    GuideBits packed = GuideBits(texelFetch(guide, p, 0));
-    bool has_albedo = is_present(SPECULAR_ALBEDO), has_f0 = is_present(SPECULAR_F0);
-    return as_halves(divisor_from(p, packed, has_albedo, SPECULAR_ALBEDO, specular_albedo, has_f0, SPECULAR_F0, specular_f0));
+vec3 stored_divisor_at(ivec2 p, bool second) {
+    bool bad;
+    return as_halves(divisor_at(p, GuideBits(texelFetch(guide, p, 0)), second, bad));
 }
 
 void main() {
@@ -73,17 +58,17 @@ void main() {
     if (!is_stratum(s)) return;
     // 65535 is a stratum without a candidate, which no frame asks for.
     ivec2 candidate = min(ivec2(texelFetch(candidates, s, 0).xy), ivec2(frame.render_extent) - 1);
-    imageStore(candidate_albedo_0, s, vec4(divisor_at(candidate), 0.0));
-    if (SPECULAR) imageStore(candidate_albedo_1, s, vec4(specular_divisor_at(candidate), 0.0));
+    imageStore(candidate_albedo_0, s, vec4(stored_divisor_at(candidate, false), 0.0));
+    if (SPECULAR) imageStore(candidate_albedo_1, s, vec4(stored_divisor_at(candidate, true), 0.0));
     GradientSample taken = unpack_gradient_samples(texelFetch(gradient_samples, s, 0));
     if (!taken.valid || !has_flag(FLAG_RESHADED) || has_flag(FLAG_RESET)) return;
     ivec2 p = pixel_at(s, taken.place);
     ivec2 before = taken.previous_pixel / int(STRATUM_SIZE);
-    vec3 factor = divisor_at(p) / texelFetch(previous_candidate_albedo_0, before, 0).rgb;
+    vec3 factor = stored_divisor_at(p, false) / texelFetch(previous_candidate_albedo_0, before, 0).rgb;
     vec4 value = imageLoad(irradiance_0, p);
     imageStore(irradiance_0, p, vec4(storable(value.rgb * factor), value.a));
     if (!is_present(IRRADIANCE_1)) return;
-    if (SPECULAR) factor = specular_divisor_at(p) / texelFetch(previous_candidate_albedo_1, before, 0).rgb;
+    if (SPECULAR) factor = stored_divisor_at(p, true) / texelFetch(previous_candidate_albedo_1, before, 0).rgb;
     value = imageLoad(irradiance_1, p);
     imageStore(irradiance_1, p, vec4(storable(value.rgb * factor), value.a));
 }

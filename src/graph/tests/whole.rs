@@ -124,6 +124,15 @@ fn a_history_of_other_signals_is_refused() {
 }
 
 #[test]
+fn the_albedo_of_each_of_two_signals_takes_two() {
+    let mut g = Graph::new([16, 16]);
+    let guides = g.import(Import::default());
+    let noisy = g.radiance("noisy_radiance");
+    g.demodulate(&guides, &noisy, Demodulate { albedo: Albedo::Each, ..Demodulate::default() });
+    assert_names(&refusal(g), &["node `demodulate`", "port `albedo`", "one was given", "pair it with specular light"]);
+}
+
+#[test]
 fn a_read_of_what_nothing_writes_is_refused() {
     let (mut g, guides, ..) = begun(Feedback::Accumulated);
     let nothing = g.transient("nothing", ash::vk::Format::R16G16B16A16_SFLOAT, 1);
