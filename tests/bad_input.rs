@@ -96,7 +96,7 @@ fn bindings_that_do_not_fit_are_refused_before_recording() {
         unsafe { denoiser.record(ash::vk::CommandBuffer::null(), &context, pass, bindings) }.expect_err("refused").to_string()
     };
     let few = record(1, &absent[..3]);
-    assert!(few.contains("`import` was given 3 bindings, it needs 12"), "{few}");
+    assert!(few.contains("`import` was given 3 bindings, it needs 11"), "{few}");
     assert!(record(1, &absent).contains("`frame_constants`"));
     assert!(record(99, &absent).contains("index 99"));
 }

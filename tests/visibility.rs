@@ -272,9 +272,10 @@ fn a_grey_light_is_the_same_in_colour() {
 fn several_lights_cost_no_more_memory_than_the_page_says() {
     let bytes = |visibility, coloured_visibility| {
         let memory = Config { visibility, coloured_visibility, ..Config::new([1920, 1080]) }.declare().expect("valid").memory();
-        (memory.history + memory.transient + memory.output) as f64 / (1920.0 * 1080.0)
+        memory.history + memory.transient + memory.output
     };
-    let [grey, coloured] = [false, true].map(|coloured| [0, 1, 2, 3, 4].map(|lights| bytes(lights, coloured) - bytes(0, coloured)));
+    let of_lights = |lights, coloured| (bytes(lights, coloured) - bytes(0, coloured)) as f64 / (1920.0 * 1080.0);
+    let [grey, coloured] = [false, true].map(|coloured| [0, 1, 2, 3, 4].map(|lights| of_lights(lights, coloured)));
     println!("{grey:?} {coloured:?}");
     // As docs/presets.md says.
     assert!(grey[1] <= 12.0 && grey[2] <= 58.0 && grey[4] <= 66.0, "{grey:?}");

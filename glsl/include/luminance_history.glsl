@@ -41,11 +41,13 @@ uint upper_bits(uint half_bits, uint dropped, uint random) {
     return min((half_bits & 0x7fffu) + (random & (1u << dropped) - 1u), 0x7bffu) >> dropped;
 }
 
-// From frame to frame, of what a stage hands on within one. What is rounded decides how, with its pixel, and not the number of the frame.
+// From frame to frame, of what a stage hands on within one. What is rounded decides how, with its pixel, and not the number of the frame. Of mean
+// and deviation all but the lowest bits decide: two devices that differ by a step of a half mostly agree.
 uint pack_luminance_history(uint new_luminance, float length_or_reason, ivec2 p) {
-    uint random = pcg((uint(p.x) | uint(p.y) << 16) + pcg(new_luminance));
+    uint pixel = uint(p.x) | uint(p.y) << 16;
+    uint random = pcg(pixel + pcg((new_luminance & 0xffe0fff8u) + half_bits(length_or_reason)));
     uint mean = upper_bits(new_luminance, 2u, random), deviation = upper_bits(new_luminance >> 16, 5u, random >> 2);
-    uint history_length = max(upper_bits(half_bits(length_or_reason), 5u, random >> 7), SHORTEST_LENGTH) - SHORTEST_LENGTH;
+    uint history_length = max(upper_bits(half_bits(length_or_reason), 5u, pcg(pixel + pcg(new_luminance))), SHORTEST_LENGTH) - SHORTEST_LENGTH;
     uint code = length_or_reason < 0.0 ? NO_REASON_CODE + uint(-length_or_reason) : history_length;
     return mean << 19 | deviation << 9 | code;
 }

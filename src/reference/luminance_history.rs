@@ -63,11 +63,13 @@ fn from_upper_bits(bits: u32, dropped: u32) -> f32 {
     from_half_bits((bits << dropped) as u16)
 }
 
-/// The texel `p` of `luminance_history*`. What is rounded decides how, with its pixel, and not the number of the frame.
+/// The texel `p` of `luminance_history*`. What is rounded decides how, with its pixel, and not the number of the frame. Of mean and
+/// deviation all but the lowest bits decide: two devices that differ by a step of a half mostly agree.
 pub(crate) fn pack_luminance_history(m: &LuminanceHistory, p: IVec2) -> u32 {
-    let random = pcg((p.x as u32 | (p.y as u32) << 16).wrapping_add(pcg(new_luminance(m))));
+    let (pixel, new) = (p.x as u32 | (p.y as u32) << 16, new_luminance(m));
+    let random = pcg(pixel.wrapping_add(pcg((new & 0xffe0_fff8).wrapping_add(half_bits(store(length_or_reason(m))).into()))));
     let code = match m.reason {
-        0 => upper_bits(m.history_length, 5, random >> 7).saturating_sub(SHORTEST_LENGTH),
+        0 => upper_bits(m.history_length, 5, pcg(pixel.wrapping_add(pcg(new)))).saturating_sub(SHORTEST_LENGTH),
         reason => NO_REASON_CODE + u32::from(reason),
     };
     upper_bits(m.mean, 2, random) << 19 | upper_bits(m.deviation, 5, random >> 2) << 9 | code
@@ -101,9 +103,16 @@ pub(crate) fn split_luminance_history(
 ) -> (Image<[f32; 4]>, Image<u32>) {
     let accumulated = Image::compute(irradiance.extent(), irradiance.extent(), |p| {
         let ([r, g, b, _], m) = (irradiance.at(p), luminance_history.at(p));
-        [r, g, b, if m.reason == Reason::None as u16 { round_to_half(m.history_length) } else { -f32::from(m.reason) }]
+        [r, g, b, round_to_half(length_or_reason(&m))]
     });
     (accumulated, luminance_history.map(new_luminance))
+}
+
+fn length_or_reason(m: &LuminanceHistory) -> f32 {
+    match m.reason {
+        0 => m.history_length,
+        reason => -f32::from(reason),
+    }
 }
 
 fn new_luminance(m: &LuminanceHistory) -> u32 {
