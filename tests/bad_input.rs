@@ -90,7 +90,7 @@ fn bindings_that_do_not_fit_are_refused_before_recording() {
     // SAFETY: the handles are live and outlive the denoiser.
     let mut denoiser = unsafe { Denoiser::new(gpu.host(), Config::new([8, 8]).declare().expect("valid")) }.expect("denoiser");
     let context = denoiser.begin_frame(&FrameParams::new([8, 8]), &Tuning::default()).expect("frame");
-    let absent = [Binding::Absent; 12];
+    let absent = [Binding::Absent; 11];
     let record = |pass: usize, bindings: &[Binding]| {
         // SAFETY: the bindings do not fit, so nothing is recorded and the null command buffer is never used.
         unsafe { denoiser.record(ash::vk::CommandBuffer::null(), &context, pass, bindings) }.expect_err("refused").to_string()
