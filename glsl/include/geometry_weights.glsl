@@ -31,7 +31,7 @@ EdgeCentre edge_centre(GuideBits packed) {
 }
 
 // Light that an albedo divides is not that which none divides: surfaces take from their like.
-bool is_alike(EdgeCentre centre, GuideBits packed_tap) { return centre.side * signed_guide_depth(packed_tap) > 0.0; }
+bool is_alike(EdgeCentre centre, GuideBits packed_tap) { return centre.side * guide_side(packed_tap) > 0.0; }
 
 // Per unit of depth; the same on both sides of the centre.
 float depth_sharpness(EdgeCentre centre, vec2 offset) {

@@ -96,8 +96,9 @@ GuideBits pack_guide(Guide g) {
 }
 
 uint guide_word(GuideBits packed) { return packed.bits.x | packed.bits.y << 16; }
-// Negative where the albedo is dark, 0 in the background.
-float signed_guide_depth(GuideBits packed) { return uintBitsToFloat(guide_word(packed) & (DEPTH_BITS | DARK_BIT)) * DEPTH_SCALE; }
+// Negative where the albedo is dark, 0 in the background; else of a size that says nothing.
+float guide_side(GuideBits packed) { return uintBitsToFloat(guide_word(packed) & (DEPTH_BITS | DARK_BIT)); }
+float signed_guide_depth(GuideBits packed) { return guide_side(packed) * DEPTH_SCALE; }
 float guide_depth(GuideBits packed) { return abs(signed_guide_depth(packed)); }
 // Scene units per pixel.
 vec2 guide_gradient(GuideBits packed) {
