@@ -35,7 +35,7 @@ fn any<T: Copy>(choices: &mut Choices<'_>, list: &[T]) -> Option<T> {
 impl Shelf {
     /// The guides and the radiance that every graph has.
     pub fn new(guides: Guides, noisy: Radiance) -> Self {
-        let images = vec![guides.guide, guides.surface_motion, guides.depth_gradient, noisy.image()];
+        let images = vec![guides.guide, guides.surface_motion, noisy.image()];
         Self { guides: vec![guides], radiance: vec![noisy], images, ..Self::default() }
     }
 
@@ -188,7 +188,7 @@ impl Shelf {
                     ..Import::default()
                 };
                 let guides = g.import(import);
-                self.images.extend([guides.guide, guides.surface_motion, guides.depth_gradient]);
+                self.images.extend([guides.guide, guides.surface_motion]);
                 self.guides.push(guides);
             }
         }
