@@ -311,6 +311,16 @@ impl FrameDenoiser {
     pub fn read(&mut self, name: &str) -> Result<Vec<[f32; 4]>> {
         let Some(frame) = self.frame else { return Ok(Vec::new()) };
         let copy = self.executor.readback(name, &frame, UseFrame::Current)?;
+        Ok(copy.to_floats(&self.read_bytes(name)?))
+    }
+
+    /// The same, as bytes in the format of the image: packed bits, for example, whose floats would be rounded.
+    ///
+    /// # Errors
+    /// A name that does not exist, or no memory.
+    pub fn read_bytes(&mut self, name: &str) -> Result<Vec<u8>> {
+        let Some(frame) = self.frame else { return Ok(Vec::new()) };
+        let copy = self.executor.readback(name, &frame, UseFrame::Current)?;
         let buffer = Buffer::new(&self.gpu, "denoiser readback", copy.bytes, MemoryKind::Readback)?;
         let gpu = self.gpu.clone();
         gpu.submit(|cmd| {
@@ -318,7 +328,7 @@ impl FrameDenoiser {
             unsafe { self.executor.record_copy(cmd, &frame, name, UseFrame::Current, buffer.handle)? };
             Ok(())
         })?;
-        Ok(copy.to_floats(&buffer.bytes()[..copy.bytes as usize]))
+        Ok(buffer.bytes()[..copy.bytes as usize].to_vec())
     }
 
     /// Writes the inputs of the next frames as an EXR sequence: see [`atrous::capture`].

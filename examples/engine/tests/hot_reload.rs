@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use atrous::config::Preset;
+use atrous::reference::unpack_luminance_history;
 use atrous_engine::hot_reload::{Compiled, OtherShaders, Owner, Recompiled, ShaderFolders, ShaderWatch, Stale};
 use atrous_engine::testing::{built_in, tracer, Validated};
 use atrous_engine::{DenoiserOptions, FrameDenoiser, PathTracer, SceneOptions, TracerOptions};
@@ -172,12 +173,9 @@ fn pipelines_are_replaced_between_frames_and_the_history_goes_on() {
         tracer.begin_frame(index).expect("a frame");
         denoiser.render(tracer).expect("a frame");
         let mean = |texels: &[[f32; 4]]| texels.iter().map(|t| t[1]).sum::<f32>() / texels.len() as f32;
-        let longest = denoiser
-            .read("luminance_history")
-            .expect("luminance_history")
-            .iter()
-            .map(|t| half::f16::from_bits(t[2] as u16).to_f32())
-            .fold(0.0, f32::max);
+        let history = denoiser.read_bytes("luminance_history").expect("luminance_history");
+        let words = history.chunks_exact(4).map(|word| u32::from_le_bytes([word[0], word[1], word[2], word[3]]));
+        let longest = words.map(|word| unpack_luminance_history(word).history_length).fold(0.0, f32::max);
         (mean(&denoiser.read("denoised_radiance").expect("an image")), longest)
     };
     frame(&mut tracer, &mut denoiser, 0);
