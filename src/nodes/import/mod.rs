@@ -30,7 +30,7 @@ impl Default for Import {
 }
 
 impl Graph {
-    /// Packs your depth, normal, roughness, id and motion.
+    /// Packs your depth, normal, id and motion, and counts what is bad of these and of your roughness.
     ///
     /// Inputs: `depth`, `normal`; optional `motion`, `roughness`, `instance_transforms`; as [`Import`] says `surface_id`,
     /// `object_normal`, `material_class`, optional `albedo`.
