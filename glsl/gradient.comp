@@ -2,7 +2,7 @@
 // Temporal gradient of every stratum: how much the luminance of the same samples changed from the previous frame to this one.
 // Source: [ASVGF] eq. 2, 3, 13, and 3.4 for mean and variance. Deviations: luminance is divided by that of the albedo, the previous frame's for
 // both; of a dense re-shaded image (SOURCE 1) all pixels of a stratum count, each at its place in the previous frame.
-// In:  guide, albedo, noisy radiance per signal. SOURCE 0: gradient_samples. SOURCE 1: reshaded_radiance, previous_guide, surface_motion,
+// In:  guide, albedo, noisy radiance per signal. SOURCE 0: gradient_samples. SOURCE 1: reshaded_radiance, previous_guide, surface_motion.
 //      Both: noisy_luminance of the previous frame, which demodulate.comp left. SOURCE 2: sparse_gradient of the host.
 // Out: gradient: δ, Δ, mean, deviation of luminance; gradient_guide. For the ratio of light: light_before and light_now, the mean radiance of
 //      the samples over the albedo's luminance; in light_before's alpha the mean of sqrt(before * now), summed over the components, in

@@ -570,7 +570,8 @@ void main() {
     Reflection seen = Reflection(0.0, rough);
     vec3 irradiance = value.rgb;
     float image_share = NO_PAST;
-    material = material_at(p);
+    material = USUAL_MATERIAL;
+    if (is_present(MATERIAL_CLASS)) material = material_at(p);
     // Of light apart, temporal_accumulation.comp counts them.
     if (MIXED && is_present(MATERIAL_CLASS) && !background && !is_class(class_at(p))) count_bad(BAD_MATERIAL_CLASS);
     if (!background) {

@@ -259,7 +259,8 @@ void main() {
     GuideBits packed = GuideBits(texelFetch(guide, p, 0));
     bool background = !is_filtered(packed);
     bool reset = has_flag(FLAG_RESET);
-    material = material_at(p);
+    material = USUAL_MATERIAL;
+    if (is_present(MATERIAL_CLASS)) material = material_at(p);
     if (is_present(MATERIAL_CLASS) && !background && !is_class(class_at(p))) count_bad(BAD_MATERIAL_CLASS);
     vec4 texels[SIGNALS];
     texels[0] = imageLoad(irradiance_0, p);

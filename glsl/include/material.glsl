@@ -1,12 +1,9 @@
 // Numbers of a host's class of materials. Twin: src/reference/material.rs.
-// Needs the input material_class at the binding MATERIAL_CLASS: an optional one, or with MATERIAL one that is there.
+// Needs the input material_class at the binding MATERIAL_CLASS.
 #ifndef MATERIAL_GLSL
 #define MATERIAL_GLSL
 #include "frame.glsl"
 #include "viewport.glsl"
-#ifndef MATERIAL
-#include "optional.glsl"
-#endif
 
 struct Material {
     float depth;            // factors: of tolerated differences of depth,
@@ -15,15 +12,15 @@ struct Material {
     float longest_history;  // frames
 };
 
+// Where the host has no classes.
+const Material USUAL_MATERIAL = Material(1.0, 1.0, 1.0, 3e38);
+
 uint class_at(ivec2 p) { return texelFetch(material_class, host_pixel(MATERIAL_CLASS, guide_pixel(p)), 0).x; }
 
 bool is_class(uint number) { return number < uint(frame.materials.length()); }
 
 // Of a pixel of light. What is beyond the table counts as class 0.
 Material material_at(ivec2 p) {
-#ifndef MATERIAL
-    if (!is_present(MATERIAL_CLASS)) return Material(1.0, 1.0, 1.0, 3e38);
-#endif
     uint number = class_at(p);
     vec4 m = frame.materials[is_class(number) ? number : 0u];
     return Material(m.x, m.y, m.z, m.w);

@@ -67,7 +67,7 @@ fn from_upper_bits(bits: u32, dropped: u32) -> f32 {
 /// deviation all but the lowest bits decide: two devices that differ by a step of a half mostly agree.
 pub(crate) fn pack_luminance_history(m: &LuminanceHistory, p: IVec2) -> u32 {
     let (pixel, new) = (p.x as u32 | (p.y as u32) << 16, new_luminance(m));
-    let random = pcg(pixel.wrapping_add(pcg((new & 0xffe0_fff8).wrapping_add(half_bits(store(length_or_reason(m))).into()))));
+    let random = pcg(pixel.wrapping_add(pcg((new & 0xffe0_fff8).wrapping_add(half_bits(length_or_reason(m)).into()))));
     let code = match m.reason {
         0 => upper_bits(m.history_length, 5, pcg(pixel.wrapping_add(pcg(new)))).saturating_sub(SHORTEST_LENGTH),
         reason => NO_REASON_CODE + u32::from(reason),
@@ -90,9 +90,14 @@ pub fn unpack_luminance_history(packed: u32) -> LuminanceHistory {
     }
 }
 
+/// The image `luminance_history*` of a signal, unpacked.
+pub(crate) fn luminance_history_of(packed: &Image<u32>) -> Image<LuminanceHistory> {
+    packed.map(|texel| unpack_luminance_history(*texel))
+}
+
 /// `luminance_history*` of every signal of a pass, unpacked.
 pub(crate) fn luminance_histories(b: &Bindings, name: &str) -> Result<Vec<Image<LuminanceHistory>>, Error> {
-    Ok(b.uints(name)?.iter().map(|image| image.map(|texel| unpack_luminance_history(*texel))).collect())
+    Ok(b.uints(name)?.into_iter().map(luminance_history_of).collect())
 }
 
 /// Luminance of this frame as the stage `temporal_accumulation` hands them on: mean and deviation in an image of their own, and in the

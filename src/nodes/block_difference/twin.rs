@@ -5,7 +5,7 @@ use crate::reference::bindings::Bindings;
 use crate::reference::blocks::{allocated_blocks, Blocks};
 use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
 use crate::reference::luminance::texel_luminance;
-use crate::reference::luminance_history::unpack_luminance_history;
+use crate::reference::luminance_history::luminance_history_of;
 use crate::reference::nearest_history::HistoryGuides;
 use crate::reference::nearest_history::SignalHistory;
 use crate::reference::rules::{rule, HALF};
@@ -122,7 +122,7 @@ pub(crate) const RULES: &[Rule] = &[DIFFERENCE];
 
 /// The departure of an irradiance from the history that a pass binds.
 pub(crate) fn difference_from_history(b: &Bindings, irradiance: &Image<[f32; 4]>) -> Result<Image<[u16; 4]>, Error> {
-    let luminance_history = b.uint("previous_luminance_history")?.map(|texel| unpack_luminance_history(*texel));
+    let luminance_history = luminance_history_of(b.uint("previous_luminance_history")?);
     let history = SignalHistory { irradiance: b.colour("history")?, luminance_history: &luminance_history };
     Ok(block_difference(b.frame, b.tuning, &BlockDifferenceInputs { guides: HistoryGuides::of(b)?, irradiance, history }))
 }

@@ -91,7 +91,6 @@ pub(crate) struct ImportOutputs {
 struct Texel {
     guide: [u16; 4],
     surface_motion: [u16; 4],
-
     is_depth_bad: bool,
     is_normal_bad: bool,
     is_roughness_bad: bool,

@@ -8,7 +8,7 @@ use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
 use crate::reference::conventions::{is_reset, roughness_channel};
 use crate::reference::guide::{unpack_guide, Surface};
 use crate::reference::luminance::{luminance, texel_luminance};
-use crate::reference::luminance_history::{split_luminance_history, unpack_luminance_history, LuminanceHistory, Reason};
+use crate::reference::luminance_history::{luminance_history_of, split_luminance_history, LuminanceHistory, Reason};
 use crate::reference::material::{classes_beyond, tuning_at};
 use crate::reference::reflection::{
     hit_distance_of, lobe_radius, mixed_roughness, pack_reflection, reach, roughness_of, SeenReflection,
@@ -271,7 +271,7 @@ pub(crate) const RULES: &[Rule] = &[
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let transforms = b.instance_transforms()?;
-    let luminance_history = b.uint("previous_luminance_history")?.map(|texel| unpack_luminance_history(*texel));
+    let luminance_history = luminance_history_of(b.uint("previous_luminance_history")?);
     let inputs = SpecularAccumulationInputs {
         guide: b.packed("guide")?,
         surface_motion: b.packed("surface_motion")?,

@@ -9,6 +9,7 @@ mod sequences;
 mod specular;
 mod volumes;
 
+use super::super::luminance_history::luminance_history_of;
 use super::super::test_scene::{embed, svgf_tuning};
 use super::super::{unpack_luminance_history, LuminanceHistory};
 use super::*;
@@ -68,7 +69,7 @@ impl Host {
     /// History of luminance of the first signal.
     fn luminance_history(&self) -> Image<LuminanceHistory> {
         match self.engine.texels("luminance_history", UseFrame::Current).expect("luminance_history") {
-            Texels::Uint(image) => image.map(|texel| unpack_luminance_history(*texel)),
+            Texels::Uint(image) => luminance_history_of(image),
             other => panic!("luminance_history are {}", other.kind()),
         }
     }
