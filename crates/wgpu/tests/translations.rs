@@ -23,9 +23,13 @@ const UNREAD: &[(&str, &[&str])] = &[
         "SpecConstantOp",
         &[
             "atrous_signals_1",
+            "atrous_signals_1_material_1",
             "atrous_signals_1_specular_1",
+            "atrous_signals_1_specular_1_material_1",
             "atrous_signals_2",
+            "atrous_signals_2_material_1",
             "atrous_signals_2_specular_1",
+            "atrous_signals_2_specular_1_material_1",
             "gradient_atrous_ratio_1",
             "modulate_float_0",
             "modulate_float_0_upsampled_1",
