@@ -87,7 +87,7 @@ const int RADIUS = KERNEL == SPLINE_KERNEL ? 2 : 1;
 const float SPLINE[3] = float[](3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0);
 const float LUMINANCE_EPSILON = 1e-4;
 // Of the tolerated deviation by that of the tap: a pixel that rare light never hit takes some of what was hit.
-const float TAP_SHARE = 0.35;
+const float TAP_SHARE = 0.38;
 // Of the weight that a difference of luminance takes from a tap, the part that stays on the centre.
 const float KEPT_SHARE = 0.5;
 

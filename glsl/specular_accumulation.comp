@@ -267,7 +267,6 @@ bool sharp_irradiance(Centre c, vec2 position, out vec3 irradiance) {
         whole = weight == 0.0 || is_same_surface(c, tap);
         irradiance += weight * texelFetch(history, nearest_inside_previous(tap), 0).rgb;
     }
-    irradiance = max(irradiance, vec3(0.0));
     return whole;
 }
 
@@ -339,7 +338,7 @@ float frames_by_light(Centre c, vec2 position, Past past, float agrees, bool by_
     History light = in_light(past.light, c.origin, vec3(1.0), frame.exposure_ratio);
     ivec2 shift = ivec2(floor(position + 0.5)) - c.mirror.p;
     vec3 sum = vec3(0.0), squares = vec3(0.0);
-    float count = 0.0, dark = DARK * luminance(light.irradiance) + 1e-6;
+    float count = 0.0, dark = DARK * max(luminance(light.irradiance), 0.0) + 1e-6;
     LogDifference logs = LogDifference(0.0, vec2(0.0), vec2(0.0), 0, 0.0, 0.0);
     [[dont_unroll]] for (int i = 0; i < AGREEMENT_SIDE * AGREEMENT_SIDE; ++i) {
         ivec2 offset = ivec2(i % AGREEMENT_SIDE, i / AGREEMENT_SIDE) - AGREEMENT_REACH, q = c.mirror.p + offset, before = q + shift;
@@ -351,13 +350,13 @@ float frames_by_light(Centre c, vec2 position, Past past, float agrees, bool by_
             logs.row = 0;
             continue;
         }
-        vec3 then = half_range(texelFetch(history, before, 0).rgb * frame.exposure_ratio), difference = value.rgb - then;
+        vec3 then = signed_half_range(texelFetch(history, before, 0).rgb * frame.exposure_ratio), difference = value.rgb - then;
         sum += difference;
         squares += difference * difference;
         count += 1.0;
         if (!by_logs) continue;
         float weight = max(abs(offset.x), abs(offset.y)) < AGREEMENT_REACH ? 1.0 : RING_WEIGHT;
-        add_pair(logs, log2(luminance(value.rgb) + dark), log2(luminance(then) + dark), weight);
+        add_pair(logs, log2(luminance(value.rgb) + dark), log2(max(luminance(then), 0.0) + dark), weight);
     }
     if (count < FEWEST_AGREEING) return past.frames;
     vec3 mean = sum / count, rounded = ROUNDED * light.irradiance;
@@ -389,7 +388,8 @@ void luminance_row(float first, int y, out float row[EVIDENCE_SIDE]) {
 float evidence_for_image(Centre c, vec2 image_position, Past surface) {
     vec2 position = c.mirror.surface_position;
     vec2 f = fract(vec2(position.y, image_position.y));
-    float dark = DARK * luminance(in_light(surface.light, c.origin, vec3(1.0), frame.exposure_ratio).irradiance) + 1e-6;
+    vec3 past = half_range(surface.light.irradiance * frame.exposure_ratio);
+    float dark = DARK * luminance(past) + 1e-6;
     // Of the surface and of the image.
     float above[2][EVIDENCE_SIDE], below[2][EVIDENCE_SIDE];
     vec2 sum = vec2(0.0), squares = vec2(0.0);
@@ -593,7 +593,7 @@ void main() {
             }
         }
     }
-    imageStore(accumulated, p, vec4(storable(irradiance), length_or_reason(luminance_history)));
+    imageStore(accumulated, p, vec4(signed_storable(irradiance), length_or_reason(luminance_history)));
     imageStore(new_luminance, p, uvec4(pack_new_luminance(luminance_history)));
     imageStore(reflection, p, uvec4(pack_reflection(seen, image_share)));
 }

@@ -171,7 +171,7 @@ void sharpen(inout Gathered sum, ivec2 corner, vec2 f, Expected expected) {
 #endif
     }
     if (!whole) return;
-    for (int i = 0; i < SIGNALS; ++i) sum.signals[i].irradiance = sum.weight * max(irradiance[i], vec3(0.0));
+    for (int i = 0; i < SIGNALS; ++i) sum.signals[i].irradiance = sum.weight * irradiance[i];
 }
 
 // The tested 2x2 taps; where they carry nothing, 3x3 around the nearest pixel.
@@ -301,10 +301,10 @@ void main() {
             irradiance[i] = blend(irradiance[i], in_light(h, origins[i], ratio, light_scale(ratio)), history_length, worth, least, luminance_history[i]);
         }
     }
-    imageStore(irradiance_0, p, vec4(storable(irradiance[0]), length_or_reason(luminance_history[0])));
+    imageStore(irradiance_0, p, vec4(signed_storable(irradiance[0]), length_or_reason(luminance_history[0])));
     imageStore(new_luminance_0, p, uvec4(pack_new_luminance(luminance_history[0])));
 #if SIGNALS == 2
-    imageStore(irradiance_1, p, vec4(storable(irradiance[1]), length_or_reason(luminance_history[1])));
+    imageStore(irradiance_1, p, vec4(signed_storable(irradiance[1]), length_or_reason(luminance_history[1])));
     imageStore(new_luminance_1, p, uvec4(pack_new_luminance(luminance_history[1])));
 #endif
 }

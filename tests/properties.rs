@@ -1,7 +1,9 @@
 //! What must hold whatever the picture: see also the CPU twins, which have the same properties.
 
 use super::support::{
-    assert_valid, frame, gpu, luminance_history, pixels, rmse, scene::Scene, session, session_with, svgf, upload,
+    assert_valid, frame, gpu, luminance_history, pixels, random, rmse,
+    scene::{Guides, Scene},
+    session, session_with, svgf, upload,
 };
 use atrous::config::{Conventions, PostProcess, Preset, Signals};
 use atrous::executor::{AllocatedMemory, Session, SessionOptions};
@@ -11,6 +13,7 @@ use atrous_harness::DeviceTest;
 pub const TESTS: &[DeviceTest] = &[
     ("a_constant_image_is_a_fixed_point", a_constant_image_is_a_fixed_point),
     ("without_alpha_it_is_the_running_mean", without_alpha_it_is_the_running_mean),
+    ("rare_light_keeps_its_mean_while_the_camera_moves", rare_light_keeps_its_mean_while_the_camera_moves),
     ("light_fades_in_the_same_time_at_any_frame_rate", light_fades_in_the_same_time_at_any_frame_rate),
     ("a_render_rect_gives_the_bits_of_a_tight_image", a_render_rect_gives_the_bits_of_a_tight_image),
     ("a_reset_frame_equals_a_first_frame", a_reset_frame_equals_a_first_frame),
@@ -134,6 +137,34 @@ fn without_alpha_it_is_the_running_mean() {
     let one = rmse(&scene.frame(0, count - 1).noisy_radiance, &mean);
     assert!(error < 0.004, "{error}, a single frame is {one} away");
     assert!(one > 0.1, "{one}");
+}
+
+/// One pixel in twenty is lit, and the sharp look-up of `best` undershoots beside it.
+fn rare_light_keeps_its_mean_while_the_camera_moves() {
+    let scene = Scene { speed: 0.03, ..Scene::new([192, 108]) };
+    let mut s = session(&Config { preset: Preset::Best, ..Config::new(scene.extent) });
+    let light = |picture: &[[f32; 4]], g: &Guides| -> f64 {
+        picture
+            .iter()
+            .zip(&g.surface_id)
+            .filter(|(_, id)| **id != 0)
+            .map(|(texel, _)| f64::from(texel[0] + texel[1] + texel[2]))
+            .sum()
+    };
+    let mut kept = 0.0_f64;
+    for i in 0..12 {
+        let mut g = scene.frame(i, i);
+        for (p, (x, y)) in pixels(scene.extent).enumerate().filter(|(p, _)| g.surface_id[*p] != 0) {
+            g.noisy_radiance[p] = g.clean[p].map(|v| if random(x, y, 300 + i) < 0.05 { 20.0 * v } else { 0.0 });
+        }
+        let picture = frame(&mut s, &g, &scene.params(i), &Tuning::default()).1;
+        println!("frame {i}: {:.4} of the light", light(&picture, &g) / light(&g.clean, &g));
+        if i >= 6 {
+            kept += light(&picture, &g) / light(&g.clean, &g) / 6.0;
+        }
+    }
+    println!("{kept:.4} of the light");
+    assert!((kept - 1.0).abs() < 0.02, "{kept}");
 }
 
 /// The share of the old light that is left 0.1 seconds after the light went out, by a preset that does not react to lights.

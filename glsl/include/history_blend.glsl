@@ -33,7 +33,7 @@ History in_light(History history, float origin, vec3 ratio, float scale) {
     // Squared it is finite, and all but 0 is beyond the clamp by then.
     float gain = min(scale, 1e18);
     float variance = max(0.0, history.second_moment - history.mean * history.mean) * (gain * gain);
-    vec3 irradiance = half_range(history.irradiance * ratio * frame.exposure_ratio);
+    vec3 irradiance = signed_half_range(history.irradiance * ratio * frame.exposure_ratio);
     return History(irradiance, min((origin + history.mean) * scale, 65504.0), min(variance, 65504.0 * 65504.0));
 }
 

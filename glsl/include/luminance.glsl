@@ -16,4 +16,9 @@ bool is_saturated(vec3 c) { return max(max(c.r, c.g), c.b) > 65504.0; }
 vec4 storable(vec4 c) { return uintBitsToFloat((floatBitsToUint(half_range(c)) + 0x1000u) & 0xffffe000u); }
 vec3 storable(vec3 c) { return storable(vec4(c, 0.0)).rgb; }
 
+// Of light that may be less than nothing: a sharp look-up undershoots beside a bright pixel, and a clamp in each would brighten their mean.
+vec3 with_sign_of(vec3 c, vec3 magnitude) { return uintBitsToFloat(floatBitsToUint(magnitude) | (floatBitsToUint(c) & 0x80000000u)); }
+vec3 signed_half_range(vec3 c) { return with_sign_of(c, half_range(abs(c))); }
+vec3 signed_storable(vec3 c) { return with_sign_of(c, storable(abs(c))); }
+
 #endif

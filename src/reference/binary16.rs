@@ -27,6 +27,21 @@ pub(crate) fn store(x: f32) -> f32 {
     }
 }
 
+/// As [`store`], of light that may be less than nothing: a sharp look-up undershoots beside a bright pixel. `signed_storable` of
+/// `glsl/include/luminance.glsl`.
+pub(crate) fn store_signed(x: f32) -> f32 {
+    store(x.abs()).copysign(x)
+}
+
+/// Clamped to what a half-float image can hold on either side of 0; NaN becomes 0.
+pub(crate) fn signed_half_range(x: f32) -> f32 {
+    if x.is_nan() {
+        0.0
+    } else {
+        x.clamp(-LARGEST_HALF, LARGEST_HALF)
+    }
+}
+
 /// The nearest number that a half holds, of two the larger, at most the largest one. `nearest_half` of
 /// `glsl/include/kept_radiance.glsl`.
 pub(crate) fn nearest_half(x: f32) -> f32 {

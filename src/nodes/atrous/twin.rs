@@ -24,7 +24,7 @@ mod tests;
 /// Tolerated difference of luminance where the variance is 0.
 pub(crate) const LUMINANCE_EPSILON: f32 = 1e-4;
 /// Of the tolerated deviation by that of the tap: a pixel that rare light never hit takes some of what was hit.
-const TAP_SHARE: f32 = 0.35;
+const TAP_SHARE: f32 = 0.38;
 /// Of the weight that a difference of luminance takes from a tap, the part that stays on the centre.
 const KEPT_SHARE: f32 = 0.5;
 

@@ -330,7 +330,7 @@ fn accumulate(
     };
     let (mut irradiance, before) = weighted_history(&taps, signal);
     if let History::Sharp(_, cubic) = history {
-        irradiance = [0, 1, 2].map(|i| cubic.iter().map(|(q, weight)| weight * signal.irradiance.at(*q)[i]).sum::<f32>().max(0.0));
+        irradiance = [0, 1, 2].map(|i| cubic.iter().map(|(q, weight)| weight * signal.irradiance.at(*q)[i]).sum());
     }
     let before = LuminanceHistory { history_length: before.history_length.min(longest), ..before };
     blend(frame, c, irradiance, &before, bounds, ratio)

@@ -3,7 +3,7 @@
 use super::evidence::{CHANCE_AT_FIRST, UNLIKELY};
 use super::{Centre, Scene};
 use crate::nodes::temporal_accumulation::twin::{cubic_taps, SMALLEST_WEIGHT_SUM};
-use crate::reference::binary16::LARGEST_HALF;
+use crate::reference::binary16::{signed_half_range, LARGEST_HALF};
 use crate::reference::forward_projection::previous_world_position;
 use crate::reference::luminance::texel_luminance;
 use crate::reference::projection::{extent_ratio, previous_surface};
@@ -298,7 +298,7 @@ impl Scene<'_> {
     /// channel that differs most; where nobody knows the place of what is seen (`by_logs`), by logarithms as well.
     fn frames_by_light(&self, c: &Centre, position: Vec2, past: &Past, agrees: f32, by_logs: bool) -> f32 {
         let ratio = self.frame.exposure_ratio;
-        let in_light = |value: f32| (value * ratio).clamp(0.0, LARGEST_HALF);
+        let in_light = |value: f32| signed_half_range(value * ratio);
         let (id, before) = (c.mirror.surface.id, RenderRect::new(self.frame.previous_render_extent));
         let shift = (position + 0.5).floor().as_ivec2() - c.mirror.p;
         let counts = |q: IVec2| {
@@ -332,9 +332,11 @@ impl Scene<'_> {
         if !by_logs {
             return past.frames * agreement;
         }
-        let dark = DARK * of_light(irradiance) + 1e-6;
-        let logs: Vec<_> =
-            pairs.iter().map(|(offset, now, then)| (*offset, [now, then].map(|light| (of_light(*light) + dark).log2()))).collect();
+        let dark = DARK * of_light(irradiance).max(0.0) + 1e-6;
+        let logs: Vec<_> = pairs
+            .iter()
+            .map(|(offset, now, then)| (*offset, [now, then].map(|light| (of_light(*light).max(0.0) + dark).log2())))
+            .collect();
         let mean = ((c.origin + past.mean) * ratio).min(LARGEST_HALF);
         let hits = mean * mean / (mean * mean + known).max(1e-20);
         (past.frames * agreement).min(frames_by_logs(&logs, hits))
@@ -385,7 +387,7 @@ impl Scene<'_> {
         if let Some(taps) = cubic.filter(|taps| taps.iter().all(|(q, weight)| *weight == 0.0 || is_same(*q))) {
             let history = |q: IVec2| self.inputs.previous.history.at(RenderRect::new(self.frame.previous_render_extent).clamp(q));
             let sum = |i: usize| taps.iter().map(|(q, weight)| weight * history(*q)[i]).sum::<f32>();
-            past.irradiance = [0, 1, 2].map(|i| sum(i).max(0.0));
+            past.irradiance = [0, 1, 2].map(sum);
         }
     }
 

@@ -1,6 +1,6 @@
 //! A pixel blended with its past \[SVGF 4.1\].
 
-use crate::reference::binary16::{store, LARGEST_HALF};
+use crate::reference::binary16::{signed_half_range, store, store_signed, LARGEST_HALF};
 use crate::reference::holes::sample_worth;
 use crate::reference::luminance::{luminance, texel_luminance};
 use crate::reference::luminance_history::{LuminanceHistory, Reason};
@@ -60,9 +60,9 @@ pub(crate) fn blend(
     };
     let (alpha, alpha_moments) = (weight(bounds.alpha), weight(bounds.alpha_moments));
     let [r, g, b] = [0, 1, 2].map(|i| {
-        let before = (past[i] * ratio[i] * frame.exposure_ratio).min(LARGEST_HALF);
+        let before = signed_half_range(past[i] * ratio[i] * frame.exposure_ratio);
         // What is dropped leaves no rounding error behind.
-        store(if alpha < 1.0 { before + alpha * (c[i] - before) } else { c[i] })
+        store_signed(if alpha < 1.0 { before + alpha * (c[i] - before) } else { c[i] })
     });
     let (mean, deviation) = (scaled(before.mean), scaled(before.deviation));
     let difference = texel_luminance(c) - mean;

@@ -229,3 +229,33 @@ fn signals_are_independent_but_for_taps_and_length() {
     );
     assert_ne!(first.irradiance[0], second.irradiance[0]);
 }
+
+#[test]
+fn a_sharp_look_up_of_rare_light_keeps_its_mean() {
+    const EXTENT: [u32; 2] = [16, 16];
+    let tuning = Tuning { alpha: 0.0, alpha_moments: 0.0, max_history_length: 1024.0, ..svgf_tuning() };
+    // All of it moves to where 4x4 pixels show the surface.
+    let is_lit = |x, y| (x == 5 || x == 10) && (y == 4 || y == 11);
+    let rare = paint(EXTENT, |x, y| [if is_lit(x, y) { 16.0 } else { 0.0 }; 4]);
+    let luminance_history = Image::new(EXTENT, LuminanceHistory { mean: 1.0, history_length: 1e3, ..LuminanceHistory::default() });
+    let guides = Guides {
+        guide: Image::new(EXTENT, pack_guide(&surface(4.0))),
+        surface_motion: Image::new(EXTENT, pack_surface_motion([0.5, 0.5], Some((0.0, [0.0, 0.0, 1.0])))),
+    };
+    let output = temporal_accumulation(
+        &frame(EXTENT),
+        &tuning,
+        &TemporalAccumulationInputs {
+            sharp: true,
+            previous: Some(PreviousFrame {
+                guide: &guides.guide,
+                signals: &[SignalHistory { irradiance: &rare, luminance_history: &luminance_history }],
+            }),
+            ..inputs(&guides, &[&Image::new(EXTENT, [0.0; 4])])
+        },
+    );
+    let light = |image: &Image<[f32; 4]>| image.texels().iter().map(|texel| texel[0]).sum::<f32>();
+    let (before, now) = (light(&rare), light(&output.irradiance[0]));
+    assert!((now / before - 1.0).abs() < 3e-3, "{before} before, {now} now");
+    assert!(output.irradiance[0].texels().iter().any(|texel| texel[0] < 0.0), "the cubic undershoots");
+}
