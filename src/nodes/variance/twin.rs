@@ -1,7 +1,7 @@
 //! The stage `variance` \[SVGF 4.2\]: the standard deviation of luminance, from the history where it is long enough, else from the
 //! neighbourhood.
 
-use crate::reference::binary16::store;
+use crate::reference::binary16::{store, store_signed};
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
 use crate::reference::geometry_weights::Geometry;
@@ -90,7 +90,7 @@ fn estimate(
         Image::compute(geometry.extent(), frame.render_extent, |p| {
             let [r, g, b, _] = irradiance.at(p);
             let estimated = || store(deviation(frame, tuning, geometry, luminance_history, p));
-            [store(r), store(g), store(b), if geometry.is_background(p) { BACKGROUND_DEVIATION } else { estimated() }]
+            [store_signed(r), store_signed(g), store_signed(b), if geometry.is_background(p) { BACKGROUND_DEVIATION } else { estimated() }]
         })
     };
     irradiance.iter().zip(luminance_history).map(signal).collect()
