@@ -88,9 +88,9 @@ fn estimate(
 ) -> Vec<Image<[f32; 4]>> {
     let signal = |(irradiance, luminance_history): (&&Image<[f32; 4]>, &&Image<LuminanceHistory>)| {
         Image::compute(geometry.extent(), frame.render_extent, |p| {
-            let [r, g, b, _] = irradiance.at(p);
+            let [r, g, b, _] = irradiance.at(p).map(store_signed);
             let estimated = || store(deviation(frame, tuning, geometry, luminance_history, p));
-            [store_signed(r), store_signed(g), store_signed(b), if geometry.is_background(p) { BACKGROUND_DEVIATION } else { estimated() }]
+            [r, g, b, if geometry.is_background(p) { BACKGROUND_DEVIATION } else { estimated() }]
         })
     };
     irradiance.iter().zip(luminance_history).map(signal).collect()
