@@ -33,7 +33,8 @@ pub(crate) fn store_signed(x: f32) -> f32 {
     store(x.abs()).copysign(x)
 }
 
-/// Clamped to what a half-float image can hold on either side of 0; NaN becomes 0.
+/// Clamped to what a half-float image can hold on either side of 0; NaN becomes 0. `signed_half_range` of
+/// `glsl/include/luminance.glsl`.
 pub(crate) fn signed_half_range(x: f32) -> f32 {
     if x.is_nan() {
         0.0
