@@ -2,7 +2,7 @@
 // Standard deviation of luminance: from the pixel's own past, or from 7x7 pixels around it while its past is short.
 // Source: [SVGF] 4.2. Deviation: the spatial estimate is scaled by spatial_variance_frames / N.
 // In:  guide, new_luminance; irradiance, accumulated, with the history length in alpha. Out: estimate, the same with the
-//      deviation in alpha; luminance_history, for the next frame.
+//      deviation in alpha; luminance_history, for the next frame; a counter in statistics.
 // Constants: ESTIMATOR: 0: as above; 1: [PSVGF], 5x5 pixels always take part, with a share that shrinks as the past grows; 2: the pixel's own
 // past alone; 3: of the accumulated mean, from 5x5 pixels without the structure that they show (ours); with FILLED neighbours
 // repeat each other, so that what is smooth may be noise as well. VOLUME: weights by the depth of the surface behind alone; the background takes part.
@@ -23,6 +23,7 @@ layout(push_constant) uniform Push {
     float volume_sigma_z;
     float spatial_variance_frames;
     float alpha;
+    float sample_frames;
 } push;
 
 #include "frame.glsl"
@@ -30,8 +31,9 @@ layout(push_constant) uniform Push {
 #include "luminance_history.glsl"
 #include "luminance.glsl"
 #include "packed_image.glsl"
+#include "statistics.glsl"
 
-PACKED_IMAGE(1, guide);
+PACKED_IMAGE(2, guide);
 PACKED_IMAGE_32(3, new_luminance_0);
 layout(set = 0, binding = 4) uniform texture2D irradiance_0;
 layout(set = 0, binding = 5, r32ui) uniform writeonly uimage2D luminance_history_0;
@@ -200,13 +202,19 @@ const float DOUBT = 3.0;
 // Of the noise that neighbouring means still show: noise that repeats is not averaged away, and few neighbours show too little of it.
 const float SEEN_NOISE = 1.75;
 
+// Of a history of so many frames, noise that is seen beyond so many times its variance came again from frame to frame.
+const float SETTLED_FRAMES = 8.0;
+const float REPEATED_NOISE = 8.0;
+
 // Standard deviation of the accumulated mean: never below the noise of neighbouring means.
 float deviation_of_mean(LuminanceHistory m, Surroundings around) {
-    float frames = max(m.history_length, 1.0), share = min(push.spatial_variance_frames / frames, 1.0);
+    float frames = max(m.history_length / push.sample_frames, 1.0), share = min(push.spatial_variance_frames / frames, 1.0);
     float spatial = (around.within + around.noise) * share * (1.0 + DOUBT * around.doubt / frames);
     float of_sample = mix(m.deviation * m.deviation, spatial, share);
-    float averaging = max(1.0 / frames, push.alpha / (2.0 - push.alpha));
-    return sqrt(max(of_sample * averaging, SEEN_NOISE * around.seen));
+    float averaging = min(max(1.0 / frames, push.sample_frames * push.alpha / (2.0 - push.alpha)), 1.0);
+    float known = of_sample * averaging, seen = SEEN_NOISE * around.seen;
+    if (m.history_length >= SETTLED_FRAMES && seen > REPEATED_NOISE * known) count_bad(REPEATED_SAMPLE);
+    return sqrt(max(known, seen));
 }
 
 bool needs_neighbours(float history_length) { return !TEMPORAL && (FADE || history_length < push.spatial_variance_frames); }

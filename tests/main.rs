@@ -42,6 +42,7 @@ mod pipelines;
 mod problems;
 mod properties;
 mod readback;
+mod repeated_noise;
 mod resize;
 mod sampling;
 mod schedules;
@@ -106,6 +107,7 @@ fn main() {
         Group { name: "pipelines", tests: pipelines::TESTS, needs_device: true },
         Group { name: "problems", tests: problems::TESTS, needs_device: false },
         Group { name: "readback", tests: readback::TESTS, needs_device: true },
+        Group { name: "repeated_noise", tests: repeated_noise::TESTS, needs_device: true },
         Group { name: "resize", tests: resize::TESTS, needs_device: true },
         Group { name: "sampling", tests: sampling::TESTS, needs_device: true },
         Group { name: "schedules", tests: schedules::TESTS, needs_device: true },

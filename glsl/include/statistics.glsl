@@ -1,5 +1,5 @@
-// Counters of values that were replaced because they were not finite, or out of range, and of surfaces that kept or lost their history. A
-// host may read them back. Twin: src/contract/statistics.rs.
+// Counters of values that were replaced because they were not finite, or out of range, of surfaces that kept or lost their history, and of
+// noise that repeats. A host may read them back. Twin: src/contract/statistics.rs.
 #ifndef STATISTICS_GLSL
 #define STATISTICS_GLSL
 #include "finite.glsl"
@@ -28,7 +28,10 @@ const uint BAD_OCCLUDER_MOTION = 20u;
 const uint BAD_SPECULAR_MOTION = 21u;
 const uint BAD_MATERIAL_CLASS = 22u;
 
-layout(set = 0, binding = 1, std430) buffer Statistics { uint counts[23]; } statistics;
+// A surface whose noise comes again from frame to frame.
+const uint REPEATED_SAMPLE = 23u;
+
+layout(set = 0, binding = 1, std430) buffer Statistics { uint counts[24]; } statistics;
 
 void count_bad(uint which) { atomicAdd(statistics.counts[which], 1u); }
 

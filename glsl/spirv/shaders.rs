@@ -1516,7 +1516,8 @@ pub(crate) static VARIANCE_SIGNALS_1: Shader = Shader {
     stage: Cow::Borrowed("variance"), name: Cow::Borrowed("variance_signals_1"), spirv: Cow::Borrowed(include_bytes!("variance_signals_1.spv")), workgroup: [8, 8, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
-        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
         ShaderBinding { number: 3, name: Cow::Borrowed("new_luminance_0"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::ReadOnly), optional: false },
         ShaderBinding { number: 4, name: Cow::Borrowed("irradiance_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
         ShaderBinding { number: 5, name: Cow::Borrowed("luminance_history_0"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
@@ -1528,6 +1529,7 @@ pub(crate) static VARIANCE_SIGNALS_1: Shader = Shader {
         PushMember { name: Cow::Borrowed("volume_sigma_z"), offset: 8, scalar: Scalar::Float },
         PushMember { name: Cow::Borrowed("spatial_variance_frames"), offset: 12, scalar: Scalar::Float },
         PushMember { name: Cow::Borrowed("alpha"), offset: 16, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sample_frames"), offset: 20, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("ESTIMATOR"), id: 1, scalar: Scalar::Uint, default: 0 },
@@ -1539,7 +1541,8 @@ pub(crate) static VARIANCE_SIGNALS_2: Shader = Shader {
     stage: Cow::Borrowed("variance"), name: Cow::Borrowed("variance_signals_2"), spirv: Cow::Borrowed(include_bytes!("variance_signals_2.spv")), workgroup: [8, 8, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
-        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
         ShaderBinding { number: 3, name: Cow::Borrowed("new_luminance_0"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
         ShaderBinding { number: 4, name: Cow::Borrowed("irradiance_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
         ShaderBinding { number: 5, name: Cow::Borrowed("luminance_history_0"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
@@ -1555,6 +1558,7 @@ pub(crate) static VARIANCE_SIGNALS_2: Shader = Shader {
         PushMember { name: Cow::Borrowed("volume_sigma_z"), offset: 8, scalar: Scalar::Float },
         PushMember { name: Cow::Borrowed("spatial_variance_frames"), offset: 12, scalar: Scalar::Float },
         PushMember { name: Cow::Borrowed("alpha"), offset: 16, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sample_frames"), offset: 20, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("ESTIMATOR"), id: 1, scalar: Scalar::Uint, default: 0 },

@@ -12,7 +12,6 @@ mod declaration;
 mod dispatch;
 mod format;
 mod frame;
-mod history_watch;
 mod inputs;
 mod material;
 mod memory;
@@ -20,6 +19,7 @@ mod pipeline_decl;
 mod resource;
 mod setup;
 mod statistics;
+mod statistics_watch;
 // Texels are decoded for copies and captures alone.
 #[cfg_attr(not(feature = "executor"), allow(dead_code))]
 pub(crate) mod texel;
@@ -41,7 +41,6 @@ pub(crate) use dispatch::{Dispatch, Grid, Parameter, Slot, Work};
 pub(crate) use format::component_of;
 pub use format::ImageFormat;
 pub use frame::{FrameContext, FrameParams, FrameState, ResetReason};
-pub use history_watch::{HistoryLoss, HistoryWatch};
 pub use inputs::{Input, InputKind, InputLayer, InputRole};
 pub use material::Material;
 pub use memory::{Memory, Placement, ResourceMemory};
@@ -51,6 +50,7 @@ pub use setup::Setup;
 pub(crate) use setup::MAX_FRAMES_IN_FLIGHT;
 pub(crate) use statistics::STATISTICS_BYTES;
 pub use statistics::{Counter, Statistics};
+pub use statistics_watch::{Finding, HistoryLoss, RepeatedNoise, StatisticsWatch};
 #[cfg(feature = "executor")]
 pub(crate) use tracker::WHOLE;
 pub use tracker::{Barrier, BarrierTarget, Barriers2, LegacyBarriers, PhysicalResource, ResourceState, Subresource, Tracker};

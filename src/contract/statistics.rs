@@ -1,4 +1,4 @@
-//! The counters of a frame: values that are not finite, and surfaces that kept or lost their history.
+//! The counters of a frame: values that are not finite, surfaces that kept or lost their history, and noise that repeats.
 
 use crate::choice::choices;
 use crate::error::Error;
@@ -61,6 +61,9 @@ choices! {
         SpecularMotion = 21 => "specular_motion",
         /// A `material_class` of 16 or above, on a surface; once for each accumulation of a graph.
         MaterialClass = 22 => "material_class",
+        /// A surface whose noise comes again from frame to frame, so that averaging leaves it; once for every signal. Of surfaces with
+        /// 8 frames of history, in presets with [`crate::graph::Estimator::OfMean`].
+        RepeatedSample = 23 => "repeated_sample",
     }
 }
 

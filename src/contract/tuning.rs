@@ -183,6 +183,9 @@ tuning! {
     light_radius_3: "radians", 0.0 ..= 1.5, 0.00465;
     /// Reach of the filter of ambient occlusion. Raising it leaves less noise and blurs contact more.
     ambient_radius: "distances of the occluder", 0.0 ..= 1.5, 0.5;
+    /// Frames over which samples of a pixel repeat, as with the temporal reuse of ReSTIR: N frames are worth N / `sample_frames`. Not in
+    /// the presets svgf, eaw, stabilize and volume. Raising it blurs more.
+    sample_frames: "frames", 1.0 ..= 64.0, 1.0;
 }
 
 /// Those of the default preset.

@@ -1,9 +1,9 @@
 //! The counters of frames, read when a frame slot comes round again, so that nothing waits. A
-//! warning tells of lost history.
+//! warning tells of lost history, or of noise that repeats.
 
 use super::transfer::Staging;
 use super::Executor;
-use crate::contract::{FrameContext, HistoryWatch, Statistics, UseFrame, STATISTICS_BYTES};
+use crate::contract::{FrameContext, Statistics, StatisticsWatch, UseFrame, STATISTICS_BYTES};
 use crate::error::Error;
 use crate::record::Device;
 use ash::vk;
@@ -17,7 +17,7 @@ pub(super) struct Counters {
     /// Whether the buffer holds counters of a frame.
     is_filled: bool,
     newest: Option<Statistics>,
-    watch: HistoryWatch,
+    watch: StatisticsWatch,
 }
 
 struct Slot {
@@ -35,7 +35,7 @@ impl Counters {
             slots: (0..slots).map(slot).collect::<Result<_, Error>>()?,
             is_filled: false,
             newest: None,
-            watch: HistoryWatch::default(),
+            watch: StatisticsWatch::default(),
         })
     }
 
@@ -58,8 +58,8 @@ impl Counters {
         }
         let Ok(statistics) = Statistics::from_bytes(slot.staging.bytes()) else { return };
         self.newest = Some(statistics);
-        if let Some(loss) = self.watch.look(&statistics) {
-            log::warn!("atrous: {loss}");
+        if let Some(finding) = self.watch.look(&statistics) {
+            log::warn!("atrous: {finding}");
         }
     }
 }

@@ -337,9 +337,10 @@ typedef enum AtrousCounter {
   ATROUS_COUNTER_OCCLUDER_MOTION = 20,
   ATROUS_COUNTER_SPECULAR_MOTION = 21,
   ATROUS_COUNTER_MATERIAL_CLASS = 22,
+  ATROUS_COUNTER_REPEATED_SAMPLE = 23,
 } AtrousCounter;
 
-#define ATROUS_COUNTER_COUNT 23
+#define ATROUS_COUNTER_COUNT 24
 
 // Nodes for atrous_graph_node with their arguments, of which those in brackets have defaults: Graph and nodes in the
 // documentation of the crate say what each means. A choice is given by its name.

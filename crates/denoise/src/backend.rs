@@ -6,8 +6,8 @@ use atrous::ash::vk;
 use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions};
 use atrous::reference::Engine;
 use atrous::{
-    Config, DebugView, Declaration, Error, FrameParams, HistoryLoss, HistoryWatch, ImageFormat, Input, Lifetime, ResourceDecl,
-    Shape, Statistics, Tuning,
+    Config, DebugView, Declaration, Error, Finding, FrameParams, ImageFormat, Input, Lifetime, ResourceDecl, Shape, Statistics,
+    StatisticsWatch, Tuning,
 };
 use atrous_lab::pictures::Picture;
 use std::borrow::Cow;
@@ -22,8 +22,8 @@ pub struct FrameOutputs {
     pub further: Vec<(String, Vec<f32>)>,
     /// Debug views of the preset, where they were asked for.
     pub views: Vec<(DebugView, Picture)>,
-    /// A report that nearly every surface loses its history, once in a run.
-    pub loss: Option<HistoryLoss>,
+    /// What the counters of frames in a row tell, once in a run: nearly every surface loses its history, or noise repeats.
+    pub finding: Option<Finding>,
 }
 
 /// Filters frames in order.
@@ -98,7 +98,7 @@ pub struct Passes {
     name: String,
     /// What the next frame counts as, unless it says otherwise.
     next: Option<u64>,
-    watch: HistoryWatch,
+    watch: StatisticsWatch,
 }
 
 const TRANSFORMS: &str = "instance_transforms";
@@ -124,7 +124,7 @@ impl Passes {
     pub fn of(gpu: Arc<HeadlessDevice>, declaration: Declaration) -> Result<Self> {
         let name = gpu.name().to_owned();
         let session = Session::new(gpu, declaration, SessionOptions::default())?;
-        Ok(Self { runner: Box::new(session), name, next: None, watch: HistoryWatch::default() })
+        Ok(Self { runner: Box::new(session), name, next: None, watch: StatisticsWatch::default() })
     }
 
     /// The passes on the CPU: slow, and the measure of what a GPU should give.
@@ -132,7 +132,7 @@ impl Passes {
         let engine = Engine::new(config.declare()?)?;
         // Views are drawn behind the frame, from what would be freed by then.
         let engine = if config.debug_view { engine.keep_transients() } else { engine };
-        Ok(Self { runner: Box::new(engine), name: "the CPU reference".into(), next: None, watch: HistoryWatch::default() })
+        Ok(Self { runner: Box::new(engine), name: "the CPU reference".into(), next: None, watch: StatisticsWatch::default() })
     }
 
     /// Gives the next frame's inputs, as far as the graph has them.
@@ -226,8 +226,8 @@ impl Backend for Passes {
         self.upload(frame)?;
         self.run(frame)?;
         let radiance = self.radiance(frame)?;
-        let loss = self.watch.look(&self.runner.statistics()?);
-        let mut outputs = FrameOutputs { radiance, further: self.further()?, views: Vec::new(), loss };
+        let finding = self.watch.look(&self.runner.statistics()?);
+        let mut outputs = FrameOutputs { radiance, further: self.further()?, views: Vec::new(), finding };
         if views {
             let extent = view_extent(self.runner.declaration());
             for view in self.runner.declaration().debug_views() {

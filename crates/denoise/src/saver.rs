@@ -15,6 +15,7 @@ use crate::roles::Role;
 use crate::score::{FrameScore, ScoreBook};
 use crate::terminal;
 use crate::views::Views;
+use atrous::Finding;
 use atrous_files::Existing;
 use atrous_lab::pages::Comparison;
 use atrous_lab::pictures::Picture;
@@ -103,8 +104,9 @@ impl Saver {
 
     fn warn(&mut self, finished: &Finished) {
         let path = finished.step.files.colour.display();
-        if let Some(loss) = finished.outputs.as_ref().and_then(|outputs| outputs.loss) {
-            self.progress.suspend(|| terminal::tell(&format!("warning: {path}: {loss}: the option --check here")));
+        if let Some(finding) = finished.outputs.as_ref().and_then(|outputs| outputs.finding) {
+            let how = if matches!(finding, Finding::HistoryLoss(_)) { ": the option --check here" } else { "" };
+            self.progress.suspend(|| terminal::tell(&format!("warning: {path}: {finding}{how}")));
         }
         self.cut += finished.inputs.excess.cut;
         self.negative += finished.inputs.negative;

@@ -8,8 +8,9 @@ use crate::reference::geometry_weights::Geometry;
 use crate::reference::luminance_history::{join_luminance_history, pack_luminance_history, LuminanceHistory};
 use crate::reference::rules::{pixels, rule, EXACT, HALF};
 use crate::reference::{render_rect::RenderRect, Image};
-use crate::{Error, FrameConstants, Tuning};
+use crate::{Counter, Error, FrameConstants, Statistics, Tuning};
 use glam::IVec2;
+use std::sync::atomic::{AtomicU32, Ordering};
 
 mod of_mean;
 #[cfg(test)]
@@ -44,7 +45,7 @@ pub(crate) struct VarianceInputs<'a> {
 #[cfg(test)]
 pub(crate) fn variance(frame: &FrameConstants, tuning: &Tuning, inputs: &VarianceInputs) -> Vec<Image<[f32; 4]>> {
     let geometry = Geometry::new(frame, tuning, inputs.guide);
-    estimate(frame, tuning, &geometry, inputs.irradiance, inputs.luminance_history, deviation)
+    estimate(frame, tuning, &geometry, inputs.irradiance, inputs.luminance_history, deviation).0
 }
 
 fn deviation(
@@ -53,12 +54,12 @@ fn deviation(
     geometry: &Geometry,
     luminance_history: &Image<LuminanceHistory>,
     p: IVec2,
-) -> f32 {
+) -> Estimated {
     let centre = luminance_history.at(p);
     if centre.history_length >= tuning.spatial_variance_frames {
-        return centre.deviation;
+        return centre.deviation.into();
     }
-    spatial_variance(frame, tuning, geometry, luminance_history, p, RADIUS).sqrt()
+    spatial_variance(frame, tuning, geometry, luminance_history, p, RADIUS).sqrt().into()
 }
 
 /// The estimate over 5×5 pixels in every pixel, whose share fades as the history grows \[PSVGF\].
@@ -68,15 +69,27 @@ fn faded_deviation(
     geometry: &Geometry,
     luminance_history: &Image<LuminanceHistory>,
     p: IVec2,
-) -> f32 {
+) -> Estimated {
     let centre = luminance_history.at(p);
     let share = (tuning.spatial_variance_frames / centre.history_length.max(1.0)).min(1.0);
     let spatial = spatial_variance(frame, tuning, geometry, luminance_history, p, FADING_RADIUS);
-    (share * spatial + (1.0 - share) * centre.deviation * centre.deviation).sqrt()
+    (share * spatial + (1.0 - share) * centre.deviation * centre.deviation).sqrt().into()
 }
 
-/// The deviation of a surface pixel.
-type Deviation = fn(&FrameConstants, &Tuning, &Geometry, &Image<LuminanceHistory>, IVec2) -> f32;
+/// The estimate of a surface pixel.
+struct Estimated {
+    deviation: f32,
+    /// Its noise comes again from frame to frame.
+    is_repeated: bool,
+}
+
+impl From<f32> for Estimated {
+    fn from(deviation: f32) -> Self {
+        Self { deviation, is_repeated: false }
+    }
+}
+
+type Estimate = fn(&FrameConstants, &Tuning, &Geometry, &Image<LuminanceHistory>, IVec2) -> Estimated;
 
 fn estimate(
     frame: &FrameConstants,
@@ -84,16 +97,24 @@ fn estimate(
     geometry: &Geometry,
     irradiance: &[&Image<[f32; 4]>],
     luminance_history: &[&Image<LuminanceHistory>],
-    deviation: impl Fn(&FrameConstants, &Tuning, &Geometry, &Image<LuminanceHistory>, IVec2) -> f32 + Sync,
-) -> Vec<Image<[f32; 4]>> {
+    estimated: Estimate,
+) -> (Vec<Image<[f32; 4]>>, Statistics) {
+    let repeated = AtomicU32::new(0);
     let signal = |(irradiance, luminance_history): (&&Image<[f32; 4]>, &&Image<LuminanceHistory>)| {
         Image::compute(geometry.extent(), frame.render_extent, |p| {
             let [r, g, b, _] = irradiance.at(p).map(store_signed);
-            let estimated = || store(deviation(frame, tuning, geometry, luminance_history, p));
-            [r, g, b, if geometry.is_background(p) { BACKGROUND_DEVIATION } else { estimated() }]
+            if geometry.is_background(p) {
+                return [r, g, b, BACKGROUND_DEVIATION];
+            }
+            let Estimated { deviation, is_repeated } = estimated(frame, tuning, geometry, luminance_history, p);
+            repeated.fetch_add(is_repeated.into(), Ordering::Relaxed);
+            [r, g, b, store(deviation)]
         })
     };
-    irradiance.iter().zip(luminance_history).map(signal).collect()
+    let images = irradiance.iter().zip(luminance_history).map(signal).collect();
+    let mut statistics = Statistics::default();
+    statistics[Counter::RepeatedSample] = repeated.into_inner();
+    (images, statistics)
 }
 
 /// Variance of the window, scaled by how short the history is.
@@ -122,8 +143,12 @@ fn spatial_variance(
 /// The root of a difference of moments: where the variance is next to 0, rounding decides it.
 const ESTIMATED: Tolerance = Tolerance { relative: 3e-3, absolute: 2e-3, ..HALF };
 
+/// A pixel whose test falls the other way is counted or not.
+const COUNTS: Tolerance = Tolerance { relative: 2e-2, absolute: 4.0, outliers: 0.0 };
+
 /// Mean and deviation come rounded to halves: the rest is arithmetic of whole numbers.
 pub(crate) const RULES: &[Rule] = &[
+    rule("statistics", Unit::Buffer, Reading::Counts, COUNTS),
     pixels("estimate_0", ESTIMATED),
     pixels("estimate_1", ESTIMATED),
     rule("luminance_history_0", Unit::Pixel, Reading::LuminanceHistory, EXACT),
@@ -137,18 +162,20 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         true => Geometry::of_volume(b.frame, b.tuning, guide),
         false => Geometry::new(b.frame, b.tuning, guide),
     };
-    let deviation: Deviation = match b.constant("ESTIMATOR")? {
+    let estimated: Estimate = match b.constant("ESTIMATOR")? {
         0 => deviation,
         1 => faded_deviation,
         3 if b.is_on("FILLED")? => deviation_of_filled_mean,
         3 => deviation_of_mean,
-        _ => |_, _, _, luminance_history, p| luminance_history.at(p).deviation,
+        _ => |_, _, _, luminance_history, p| luminance_history.at(p).deviation.into(),
     };
     let (irradiance, new_luminance) = (b.colours("irradiance")?, b.uints("new_luminance")?);
     let luminance_history: Vec<_> =
         irradiance.iter().zip(new_luminance).map(|(irradiance, new)| join_luminance_history(irradiance, new)).collect();
-    let estimated = estimate(b.frame, b.tuning, &geometry, &irradiance, &luminance_history.iter().collect::<Vec<_>>(), deviation);
-    b.write_signals("estimate", estimated)?;
+    let (images, statistics) =
+        estimate(b.frame, b.tuning, &geometry, &irradiance, &luminance_history.iter().collect::<Vec<_>>(), estimated);
+    b.count(&statistics)?;
+    b.write_signals("estimate", images)?;
     let packed = luminance_history
         .iter()
         .map(|image| Image::compute(image.extent(), b.frame.render_extent, |p| pack_luminance_history(&image.at(p), p)));

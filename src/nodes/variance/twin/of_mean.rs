@@ -1,6 +1,6 @@
 //! The deviation of the accumulated mean, from the past of a pixel and from 5×5 pixels around it.
 
-use super::{LuminanceHistory, FADING_RADIUS};
+use super::{Estimated, LuminanceHistory, FADING_RADIUS};
 use crate::reference::geometry_weights::Geometry;
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{FrameConstants, Tuning};
@@ -46,6 +46,10 @@ struct Surroundings {
     doubt: f32,
 }
 
+/// Of a history of so many frames, noise that is seen beyond so many times its variance came again from frame to frame.
+const SETTLED_FRAMES: f32 = 8.0;
+const REPEATED_NOISE: f32 = 8.0;
+
 /// Standard deviation of the accumulated mean: never below the noise of neighbouring means.
 pub(super) fn deviation_of_mean(
     frame: &FrameConstants,
@@ -53,7 +57,7 @@ pub(super) fn deviation_of_mean(
     geometry: &Geometry,
     luminance_history: &Image<LuminanceHistory>,
     p: IVec2,
-) -> f32 {
+) -> Estimated {
     let rect = RenderRect::new(frame.render_extent);
     let around = surroundings(frame, geometry, luminance_history, p);
     let mean_at = |q: IVec2| luminance_history.at(q).mean;
@@ -107,19 +111,21 @@ pub(super) fn deviation_of_filled_mean(
     geometry: &Geometry,
     luminance_history: &Image<LuminanceHistory>,
     p: IVec2,
-) -> f32 {
+) -> Estimated {
     let around = surroundings(frame, geometry, luminance_history, p);
     let noise = FILLED_NOISE * around.noise;
     deviation(tuning, luminance_history.at(p), Surroundings { noise, seen: noise, ..around })
 }
 
-fn deviation(tuning: &Tuning, centre: LuminanceHistory, around: Surroundings) -> f32 {
-    let frames = centre.history_length.max(1.0);
+fn deviation(tuning: &Tuning, centre: LuminanceHistory, around: Surroundings) -> Estimated {
+    let frames = (centre.history_length / tuning.sample_frames).max(1.0);
     let share = (tuning.spatial_variance_frames / frames).min(1.0);
     let spatial = (around.within + around.noise) * share * (1.0 + DOUBT * around.doubt / frames);
     let of_sample = share * spatial + (1.0 - share) * centre.deviation * centre.deviation;
-    let averaging = (1.0 / frames).max(tuning.alpha / (2.0 - tuning.alpha));
-    (of_sample * averaging).max(SEEN_NOISE * around.seen).sqrt()
+    let averaging = (1.0 / frames).max(tuning.sample_frames * tuning.alpha / (2.0 - tuning.alpha)).min(1.0);
+    let (known, seen) = (of_sample * averaging, SEEN_NOISE * around.seen);
+    let is_repeated = centre.history_length >= SETTLED_FRAMES && seen > REPEATED_NOISE * known;
+    Estimated { deviation: known.max(seen).sqrt(), is_repeated }
 }
 
 /// With the structure that they show.

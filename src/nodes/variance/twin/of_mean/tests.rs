@@ -1,6 +1,7 @@
 //! The deviation of means against noise that is known, and against structure that is none.
 
 use super::*;
+use crate::nodes::variance::twin::Estimate;
 use crate::reference::test_scene::*;
 
 const EXTENT: [u32; 2] = [48, 48];
@@ -13,7 +14,7 @@ fn deviations(guides: &Guides, luminance_history: &Image<LuminanceHistory>) -> V
     let frame = frame(luminance_history.extent());
     let geometry = Geometry::new(&frame, &tuning, &guides.guide);
     let inner = (4..EXTENT[1] as i32 - 4).flat_map(|y| (4..EXTENT[0] as i32 - 4).map(move |x| IVec2::new(x, y)));
-    inner.map(|p| deviation_of_mean(&frame, &tuning, &geometry, luminance_history, p)).collect()
+    inner.map(|p| deviation_of_mean(&frame, &tuning, &geometry, luminance_history, p).deviation).collect()
 }
 
 fn flat() -> Guides {
@@ -114,8 +115,44 @@ fn what_was_filled_in_may_be_noise_though_it_is_smooth() {
     let slope = paint(EXTENT, |x, _| of(0.25 * x as f32, 0.0, 1.0));
     let (tuning, frame, guides) = (Tuning::default(), frame(EXTENT), flat());
     let geometry = Geometry::new(&frame, &tuning, &guides.guide);
-    let at = |deviation: fn(&FrameConstants, &Tuning, &Geometry, &Image<LuminanceHistory>, IVec2) -> f32| {
-        deviation(&frame, &tuning, &geometry, &slope, IVec2::splat(20))
-    };
+    let at = |estimate: Estimate| estimate(&frame, &tuning, &geometry, &slope, IVec2::splat(20)).deviation;
     assert!(at(deviation_of_mean) < 1e-4 && at(deviation_of_filled_mean) > 0.25);
+}
+
+/// Estimates with samples that live for so many frames.
+fn with_sample_frames(luminance_history: &Image<LuminanceHistory>, sample_frames: f32) -> Vec<Estimated> {
+    let (tuning, frame, guides) = (Tuning { sample_frames, ..Tuning::default() }, frame(EXTENT), flat());
+    let geometry = Geometry::new(&frame, &tuning, &guides.guide);
+    let inner = (4..EXTENT[1] as i32 - 4).map(|y| IVec2::new(20, y));
+    inner.map(|p| deviation_of_mean(&frame, &tuning, &geometry, luminance_history, p)).collect()
+}
+
+#[test]
+fn noise_that_repeats_is_counted_and_noise_that_does_not_is_not() {
+    let counted = |luminance_history: &Image<LuminanceHistory>, sample_frames: f32| {
+        let estimates = with_sample_frames(luminance_history, sample_frames);
+        estimates.iter().filter(|estimate| estimate.is_repeated).count() as f32 / estimates.len() as f32
+    };
+    // As a running mean leaves it, which is worth 19 frames.
+    let averaged = noise(EXTENT, 5).map(|t| of(0.5 + (t[0] - 0.5) / 19f32.sqrt(), UNIFORM, 64.0));
+    assert_eq!(counted(&averaged, 1.0), 0.0);
+    // Of samples that live for eight frames, which a host may know.
+    let lasting = noise(EXTENT, 5).map(|t| of(0.5 + (t[0] - 0.5) / (19f32 / 8.0).sqrt(), UNIFORM, 64.0));
+    assert!(counted(&lasting, 1.0) > 0.4, "{}", counted(&lasting, 1.0));
+    assert_eq!(counted(&lasting, 8.0), 0.0);
+    let same = noise(EXTENT, 7).map(|t| of(t[0], 0.0, 64.0));
+    assert!(counted(&same, 1.0) > 0.9, "{}", counted(&same, 1.0));
+    assert_eq!(counted(&same.map(|m| LuminanceHistory { history_length: 7.0, ..*m }), 1.0), 0.0, "too few frames");
+}
+
+#[test]
+fn frames_that_share_a_sample_are_worth_one() {
+    // Means without noise of their own: the past alone tells.
+    let even = |history_length: f32| paint(EXTENT, move |_, _| of(1.0, 0.25, history_length));
+    let deviation = |history_length, sample_frames| with_sample_frames(&even(history_length), sample_frames)[8].deviation;
+    for (length, sample_frames) in [(8.0, 2.0), (16.0, 4.0), (6.0, 1.5)] {
+        let (many, few) = (deviation(length, sample_frames), deviation(length / sample_frames, 1.0));
+        assert!((many - few).abs() < 1e-4, "{length} frames of {sample_frames}: {many}, {few}");
+    }
+    assert!((deviation(64.0, 64.0) - deviation(1.0, 1.0)).abs() < 1e-4, "no surer than one sample");
 }
