@@ -62,7 +62,7 @@ choices! {
         /// A `material_class` of 16 or above, on a surface; once for each accumulation of a graph.
         MaterialClass = 22 => "material_class",
         /// A surface whose noise comes again from frame to frame, so that averaging leaves it; once for every signal. Of surfaces with
-        /// 8 frames of history, in presets with [`crate::graph::Estimator::OfMean`].
+        /// 8 frames of history, in presets with [`crate::nodes::Estimator::OfMean`].
         RepeatedSample = 23 => "repeated_sample",
     }
 }
