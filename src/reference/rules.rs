@@ -16,6 +16,9 @@ pub(crate) const fn rounded(binding: &'static str) -> Rule {
 /// A tap's test may fall the other way where a value lies on its threshold.
 pub(crate) const TESTED: Tolerance = Tolerance { outliers: 2e-3, ..HALF };
 
+/// A pixel whose test falls the other way is counted elsewhere, or not at all.
+pub(crate) const TESTED_COUNTS: Tolerance = Tolerance { relative: 2e-2, absolute: 4.0, outliers: 0.0 };
+
 /// 25 weights, each an exponential with the device's own precision.
 pub(crate) const WEIGHTED: Tolerance = Tolerance { relative: 3e-3, absolute: 5e-4, ..HALF };
 

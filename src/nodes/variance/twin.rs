@@ -6,7 +6,7 @@ use crate::reference::bindings::Bindings;
 use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
 use crate::reference::geometry_weights::Geometry;
 use crate::reference::luminance_history::{join_luminance_history, pack_luminance_history, LuminanceHistory};
-use crate::reference::rules::{pixels, rule, EXACT, HALF};
+use crate::reference::rules::{pixels, rule, EXACT, HALF, TESTED_COUNTS};
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Counter, Error, FrameConstants, Statistics, Tuning};
 use glam::IVec2;
@@ -143,12 +143,9 @@ fn spatial_variance(
 /// The root of a difference of moments: where the variance is next to 0, rounding decides it.
 const ESTIMATED: Tolerance = Tolerance { relative: 3e-3, absolute: 2e-3, ..HALF };
 
-/// A pixel whose test falls the other way is counted or not.
-const COUNTS: Tolerance = Tolerance { relative: 2e-2, absolute: 4.0, outliers: 0.0 };
-
 /// Mean and deviation come rounded to halves: the rest is arithmetic of whole numbers.
 pub(crate) const RULES: &[Rule] = &[
-    rule("statistics", Unit::Buffer, Reading::Counts, COUNTS),
+    rule("statistics", Unit::Buffer, Reading::Counts, TESTED_COUNTS),
     pixels("estimate_0", ESTIMATED),
     pixels("estimate_1", ESTIMATED),
     rule("luminance_history_0", Unit::Pixel, Reading::LuminanceHistory, EXACT),

@@ -4,18 +4,15 @@ use super::*;
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
 use crate::reference::luminance_history::{luminance_histories, split_luminance_history};
-use crate::reference::rules::{pixels, rounded, rule, TESTED};
+use crate::reference::rules::{pixels, rounded, rule, TESTED, TESTED_COUNTS};
 use crate::Error;
 
 /// A deviation near 0 is the root of a difference that rounding decides.
 const ACCUMULATED_MOMENTS: Tolerance = Tolerance { absolute: 2e-3, ..TESTED };
 
-/// A pixel whose test falls the other way moves from one counter to another.
-const HISTORY_COUNTS: Tolerance = Tolerance { relative: 2e-2, absolute: 4.0, outliers: 0.0 };
-
 /// How what it writes is compared with the GPU.
 pub(crate) const RULES: &[Rule] = &[
-    rule("statistics", Unit::Buffer, Reading::Counts, HISTORY_COUNTS),
+    rule("statistics", Unit::Buffer, Reading::Counts, TESTED_COUNTS),
     pixels("irradiance_0", TESTED),
     pixels("irradiance_1", TESTED),
     rounded("irradiance_0"),
