@@ -196,7 +196,7 @@ fn main() -> Result<()> {
         let queues = [vk::DeviceQueueCreateInfo::default().queue_family_index(family).queue_priorities(&[1.0])];
         let device =
             &instance.create_device(physical_device, &vk::DeviceCreateInfo::default().queue_create_infos(&queues), None)?;
-        let host = Device { instance, physical_device, device, pipeline_cache: vk::PipelineCache::null() };
+        let host = Device { instance, physical_device, device, pipeline_cache: vk::PipelineCache::null(), pipelines: None };
         let info = vk::CommandPoolCreateInfo::default().queue_family_index(family);
         let pool = device.create_command_pool(&info.flags(vk::CommandPoolCreateFlags::RESET_COMMAND_BUFFER), None)?;
         let info = vk::CommandBufferAllocateInfo::default().command_pool(pool).command_buffer_count(1);

@@ -63,6 +63,7 @@ impl Host {
             device: &device,
             // vk-graph keeps its own to itself.
             pipeline_cache: vk::PipelineCache::null(),
+            pipelines: None,
         };
         // SAFETY: the handles are live, belong together, and the denoiser is dropped before the device.
         let denoiser = unsafe { Denoiser::new(host, Config::new(synthetic::EXTENT).declare()?)? };

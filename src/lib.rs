@@ -51,4 +51,4 @@ pub use config::{Config, Preset};
 pub use contract::*;
 pub use error::Error;
 pub use frame_constants::{Flags, FrameConstants};
-pub use record::{Checks, Denoiser, Device, ImageDescription, LoadedDevice, Requirements};
+pub use record::{Checks, Denoiser, Device, ImageDescription, LoadedDevice, Requirements, SharedPipelines};

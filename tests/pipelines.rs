@@ -4,13 +4,18 @@ use super::support::spy::{Spy, REFUSED};
 use super::support::{assert_valid, gpu};
 use ash::vk;
 use atrous::config::Preset;
-use atrous::{Config, Denoiser, Error};
+use atrous::graph::{Graph, Irradiance, Stage};
+use atrous::nodes::{Import, Modulate};
+use atrous::{Config, Denoiser, Device, Error, SharedPipelines};
 use atrous_harness::DeviceTest;
 
 pub const TESTS: &[DeviceTest] = &[
     ("the_cache_is_the_hosts", the_cache_is_the_hosts),
     ("several_threads_create_them", several_threads_create_them),
     ("nothing_is_left_where_one_fails", nothing_is_left_where_one_fails),
+    ("denoisers_share_what_they_have_in_common", denoisers_share_what_they_have_in_common),
+    ("a_stage_of_the_same_name_has_its_own_code", a_stage_of_the_same_name_has_its_own_code),
+    ("several_threads_share_them", several_threads_share_them),
 ];
 
 fn denoiser(spy: &Spy, cache: vk::PipelineCache) -> Result<Denoiser, Error> {
@@ -46,6 +51,101 @@ fn several_threads_create_them() {
     spy.make_together(cores);
     drop(denoiser(&spy, vk::PipelineCache::null()).expect("a denoiser"));
     assert!(spy.threads() >= cores, "{} threads on {cores} cores", spy.threads());
+    assert_eq!(spy.live().into_iter().collect::<Vec<_>>(), []);
+    assert_valid();
+}
+
+/// A denoiser of a preset that shares pipelines.
+fn sharing(spy: &Spy, pipelines: &SharedPipelines, preset: Preset) -> Result<Denoiser, Error> {
+    let config = Config { preset, ..Config::new([16, 9]) };
+    let host = Device { pipelines: Some(pipelines), ..spy.host(vk::PipelineCache::null()) };
+    // SAFETY: the handles are live and outlive the denoiser and the pipelines.
+    unsafe { Denoiser::new(host, config.declare().expect("valid")) }
+}
+
+/// Each pipeline is made once, lives as long as one of its owners, and none is kept of a denoiser that could not be made.
+fn denoisers_share_what_they_have_in_common() {
+    let spy = Spy::new();
+    let made = || spy.created().get("pipeline").copied().unwrap_or(0);
+    let live = || spy.live().get("pipeline").copied().unwrap_or(0);
+    let shared = SharedPipelines::default();
+    let first = sharing(&spy, &shared, Preset::Svgf).expect("a denoiser");
+    let of_svgf = made();
+    assert!(of_svgf > 3, "{of_svgf}");
+    let second = sharing(&spy, &shared, Preset::Svgf).expect("a second one");
+    assert_eq!(made(), of_svgf);
+    drop(second);
+    assert_eq!(live(), of_svgf);
+    spy.refuse("pipeline", 1);
+    assert!(sharing(&spy, &shared, Preset::Asvgf).is_err() && spy.has_refused());
+    assert_eq!(live(), of_svgf, "of a denoiser that could not be made");
+    let before = made();
+    let other = sharing(&spy, &shared, Preset::Asvgf).expect("of another preset");
+    let added = made() - before;
+    drop((first, other));
+    assert_eq!(live(), of_svgf + added, "the store keeps them");
+    let alone = SharedPipelines::default();
+    drop(sharing(&spy, &alone, Preset::Asvgf).expect("without another"));
+    drop(alone);
+    let of_asvgf = made() - before - added;
+    assert!(added < of_asvgf, "{added} of {of_asvgf} are made beside svgf");
+    let kept = sharing(&spy, &shared, Preset::Svgf).expect("once more");
+    shared.clear();
+    assert_eq!(live(), of_svgf, "those of a denoiser that lives");
+    drop((shared, kept));
+    assert_eq!(spy.live().into_iter().collect::<Vec<_>>(), []);
+    assert_valid();
+}
+
+/// A graph with a stage that is named alike for each factor.
+fn scaled(spy: &Spy, pipelines: &SharedPipelines, factor: &str) -> Denoiser {
+    let source = include_str!("../examples/mean_3x3.comp").replace("sum.rgb / sum.a", &format!("{factor} * sum.rgb / sum.a"));
+    let mut options = shaderc::CompileOptions::new().expect("options");
+    options.set_target_env(shaderc::TargetEnv::Vulkan, shaderc::EnvVersion::Vulkan1_1 as u32);
+    let compiler = shaderc::Compiler::new().expect("a compiler");
+    let compiled = compiler.compile_into_spirv(&source, shaderc::ShaderKind::Compute, "mean_3x3", "main", Some(&options));
+    let stage = Stage::new("mean_3x3", compiled.expect("SPIR-V").as_binary()).expect("a stage");
+    let mut g = Graph::new([16, 9]);
+    let guides = g.import(Import::default());
+    let noisy = g.radiance("noisy_radiance");
+    let irradiance = g.demodulate(&guides, &noisy, Default::default());
+    let filtered = g.stage(&stage).bind("estimate", irradiance.image()).add();
+    let denoised = g.modulate(&guides, &Irradiance::of(filtered.written("filtered")), Modulate::default());
+    g.output("denoised_radiance", &denoised);
+    let host = Device { pipelines: Some(pipelines), ..spy.host(vk::PipelineCache::null()) };
+    // SAFETY: the handles are live and outlive the denoiser and the pipelines.
+    unsafe { Denoiser::new(host, g.finish().expect("a graph")) }.expect("a denoiser")
+}
+
+fn a_stage_of_the_same_name_has_its_own_code() {
+    let (spy, shared) = (Spy::new(), SharedPipelines::default());
+    let _alone = scaled(&spy, &shared, "1.0");
+    let before = spy.created()["pipeline"];
+    let _same = scaled(&spy, &shared, "1.0");
+    assert_eq!(spy.created()["pipeline"], before);
+    let _other = scaled(&spy, &shared, "2.0");
+    assert_eq!(spy.created()["pipeline"], before + 1);
+    assert_valid();
+}
+
+/// One that two threads made at once is there once.
+fn several_threads_share_them() {
+    let spy = Spy::new();
+    let presets = [Preset::Svgf, Preset::Fast, Preset::Svgf, Preset::Svgf];
+    let one_by_one = SharedPipelines::default();
+    drop(presets.map(|preset| sharing(&spy, &one_by_one, preset).expect("a denoiser")));
+    let different = spy.live()["pipeline"];
+    drop(one_by_one);
+    let shared = SharedPipelines::default();
+    let made = std::thread::scope(|scope| {
+        let of = |preset| {
+            let (spy, shared) = (&spy, &shared);
+            scope.spawn(move || sharing(spy, shared, preset))
+        };
+        presets.map(of).map(|thread| thread.join().expect("no panic").expect("a denoiser"))
+    });
+    assert_eq!(spy.live()["pipeline"], different);
+    drop((made, shared));
     assert_eq!(spy.live().into_iter().collect::<Vec<_>>(), []);
     assert_valid();
 }

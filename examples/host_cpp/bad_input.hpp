@@ -75,6 +75,15 @@ inline void refuse_bad_creation(const Engine& engine, Refusals& refusals) {
     EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "get_instance_proc_addr", atrous_create(&info, &denoiser));
     info = good, info.config = nullptr;
     EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "config", atrous_create(&info, &denoiser));
+    AtrousPipelines* pipelines = nullptr;
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "pipelines is NULL", atrous_pipelines_create(nullptr));
+    EXPECT(ATROUS_STATUS_OK, "", atrous_pipelines_create(&pipelines));
+    EXPECT(ATROUS_STATUS_OK, "", atrous_pipelines_clear(pipelines));
+    EXPECT(ATROUS_STATUS_OK, "", atrous_pipelines_destroy(pipelines));
+    EXPECT(ATROUS_STATUS_INVALID_HANDLE, "no live store of pipelines", atrous_pipelines_clear(pipelines));
+    EXPECT(ATROUS_STATUS_INVALID_HANDLE, "no live store of pipelines", atrous_pipelines_destroy(pipelines));
+    info = good, info.pipelines = pipelines;
+    EXPECT(ATROUS_STATUS_INVALID_HANDLE, "no live store of pipelines", atrous_create(&info, &denoiser));
     config.struct_size = offsetof(AtrousConfig, output_extent) - 4;
     EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "struct_size", atrous_create(&good, &denoiser));
     struct { AtrousConfig known; uint32_t unknown; } newer{config, 1};

@@ -68,9 +68,13 @@ int main() {
     AtrousConfig config = atrous::sized<AtrousConfig>();
     CHECK(atrous_config_default(&config, synthetic::width, synthetic::height));
     AtrousCreateInfo info{sizeof info, engine.instance, engine.physical_device, engine.device, vkGetInstanceProcAddr, &config};
-    atrous::Denoiser denoiser;
+    atrous::Pipelines pipelines;
+    atrous::Denoiser preview, denoiser;
     atrous::Tracker tracker;
-    CHECK(denoiser.create(info));
+    CHECK(pipelines.create());
+    info.pipelines = pipelines.get();
+    CHECK(preview.create(info));
+    CHECK(denoiser.create(info));  // makes no pipeline of its own
     CHECK(denoiser.set_checks(true));
     CHECK(tracker.create(denoiser));
     uint32_t resources = 0, passes = 0;

@@ -104,6 +104,7 @@ fn create(choices: &mut Choices<'_>) -> AtrousStatus {
         get_instance_proc_addr: None,
         config: inner.pointer(),
         pipeline_cache: Default::default(),
+        pipelines: std::ptr::null(),
         legacy_barriers: choices.odd(),
         debug_labels: 0,
         graph: std::ptr::null(),

@@ -1,7 +1,7 @@
 //! A Vulkan device without a window: for tools, benchmarks and tests.
 
 use crate::error::Error;
-use crate::record::Device;
+use crate::record::{Device, SharedPipelines};
 use ash::vk;
 use std::ffi::{c_void, CStr};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -38,6 +38,7 @@ pub struct HeadlessDevice {
     errors: Arc<Mutex<Vec<String>>>,
     physical_device: vk::PhysicalDevice,
     device: ash::Device,
+    pipelines: SharedPipelines,
     queue: Mutex<vk::Queue>,
     queue_family: u32,
     timestamps: bool,
@@ -79,6 +80,7 @@ impl HeadlessDevice {
             errors,
             physical_device,
             device,
+            pipelines: SharedPipelines::default(),
             queue,
             queue_family,
             timestamps,
@@ -88,10 +90,11 @@ impl HeadlessDevice {
         })
     }
 
-    /// The handles for [`crate::Denoiser`] and [`super::Executor`].
+    /// The handles for [`crate::Denoiser`] and [`super::Executor`]. All that are made with them share pipelines.
     pub fn host(&self) -> Device<'_> {
         let pipeline_cache = vk::PipelineCache::null();
-        Device { instance: &self.instance, physical_device: self.physical_device, device: &self.device, pipeline_cache }
+        let Self { instance, physical_device, device, pipelines, .. } = self;
+        Device { instance, physical_device: *physical_device, device, pipeline_cache, pipelines: Some(pipelines) }
     }
 
     /// Name and driver of the device.
@@ -177,6 +180,7 @@ impl Drop for HeadlessDevice {
         // SAFETY: ours; what was created from them borrows or shares this value and is gone.
         unsafe {
             let _ = self.device.device_wait_idle();
+            drop(std::mem::take(&mut self.pipelines));
             self.device.destroy_device(None);
             if let Some((functions, messenger)) = &self.messenger {
                 functions.destroy_debug_utils_messenger(*messenger, None);

@@ -6,7 +6,8 @@ use super::checks::{self, Checks, Histories};
 use super::device::Device;
 use super::frame_life::{check_slot, FrameLife};
 use super::names::Names;
-use super::pipeline::{Bindable, Descriptor, Pipelines};
+use super::pipeline::Descriptor;
+use super::pipelines::{Bindable, Pipelines};
 use super::requirements::Requirements;
 use crate::contract::{Binding, Declaration, Dispatch, FrameContext, FrameParams, Grid, Parameter, Tuning, Work};
 use crate::error::Error;
@@ -34,7 +35,7 @@ pub struct Denoiser {
 impl Denoiser {
     /// Creates pipelines and descriptor pools for a declaration: of a preset ([`crate::Config::declare`]), or of a graph
     /// ([`crate::graph::Graph::finish`]). Pipelines are created on as many threads as there are cores, and looked up in
-    /// [`Device::pipeline_cache`].
+    /// [`Device::pipeline_cache`]; those that [`Device::pipelines`] has are not created again.
     ///
     /// # Errors
     /// Errors of [`Requirements::check_device`]; [`Error::Vulkan`] if a call fails.
@@ -44,7 +45,7 @@ impl Denoiser {
     /// - The pipeline cache is null or a live one of the device, and not externally synchronised. Nothing else is merged into it
     ///   meanwhile.
     pub unsafe fn new(host: Device<'_>, declaration: Declaration) -> Result<Self, Error> {
-        let Device { instance, physical_device, device, pipeline_cache } = host;
+        let Device { instance, physical_device, device, pipeline_cache, pipelines } = host;
         // SAFETY: instance, physical device and device are live and belong together, as the caller promised.
         let properties = unsafe {
             Requirements::new(&declaration).check_device(host)?;
@@ -52,7 +53,7 @@ impl Denoiser {
         };
         // SAFETY: the device is live and outlives the pipelines, and the cache is one of its own that synchronises itself, as the
         // caller promised.
-        let pipelines = unsafe { Pipelines::new(device, pipeline_cache, &declaration)? };
+        let pipelines = unsafe { Pipelines::new(device, pipeline_cache, pipelines.cloned().unwrap_or_default(), &declaration)? };
         let (device, limits) = (device.clone(), properties.limits);
         Ok(Self {
             checks: Checks::default(),

@@ -1,5 +1,6 @@
 //! Your device.
 
+use super::SharedPipelines;
 use crate::error::Error;
 use ash::vk;
 use ash::vk::Handle;
@@ -19,6 +20,8 @@ pub struct Device<'a> {
     /// Pipelines are created on several threads at once. Vulkan synchronises a cache itself, unless it was made with
     /// `VK_PIPELINE_CACHE_CREATE_EXTERNALLY_SYNCHRONIZED_BIT`: do not give such a one.
     pub pipeline_cache: vk::PipelineCache,
+    /// Pipelines that denoisers of this device share; `None`: each has its own.
+    pub pipelines: Option<&'a SharedPipelines>,
 }
 
 impl Device<'_> {
@@ -83,9 +86,15 @@ pub struct LoadedDevice {
 }
 
 impl LoadedDevice {
-    /// The device, without a pipeline cache.
+    /// The device, without a pipeline cache and shared pipelines.
     pub fn device(&self) -> Device<'_> {
         let Self { instance, device, .. } = self;
-        Device { instance, physical_device: self.physical_device, device, pipeline_cache: vk::PipelineCache::null() }
+        Device {
+            instance,
+            physical_device: self.physical_device,
+            device,
+            pipeline_cache: vk::PipelineCache::null(),
+            pipelines: None,
+        }
     }
 }

@@ -9,7 +9,9 @@ mod device;
 mod frame_life;
 mod names;
 mod pipeline;
+mod pipelines;
 mod requirements;
+mod shared_pipelines;
 
 pub use checks::{Checks, ImageDescription};
 pub use denoiser::Denoiser;
@@ -19,3 +21,4 @@ pub(crate) use frame_life::check_slot;
 #[cfg(feature = "executor")]
 pub(crate) use names::Names;
 pub use requirements::Requirements;
+pub use shared_pipelines::SharedPipelines;

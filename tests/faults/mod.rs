@@ -131,6 +131,8 @@ fn a_session_that_cannot_be_opened_leaves_nothing_behind() {
         for after in some_of(calls) {
             let fault = Fault { call, after, result: HOST };
             device.faults.set(&[fault]);
+            // Each opening makes all pipelines.
+            device.gpu().host().pipelines.expect("it has a store").clear();
             let error = Life::open(&device.gpu()).err().unwrap_or_else(|| panic!("{fault:?}: nothing failed"));
             assert!(names(&error, fault) && device.faults.are_spent(), "{fault:?}: {error}");
             count += 1;

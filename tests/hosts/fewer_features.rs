@@ -21,7 +21,13 @@ fn with_a_plain_device(version: u32, body: impl FnOnce(Device<'_>)) {
         let queues = [vk::DeviceQueueCreateInfo::default().queue_family_index(family).queue_priorities(&[1.0])];
         let info = vk::DeviceCreateInfo::default().queue_create_infos(&queues);
         let device = instance.create_device(physical_device, &info, None).expect("device");
-        body(Device { instance: &instance, physical_device, device: &device, pipeline_cache: vk::PipelineCache::null() });
+        body(Device {
+            instance: &instance,
+            physical_device,
+            device: &device,
+            pipeline_cache: vk::PipelineCache::null(),
+            pipelines: None,
+        });
         device.destroy_device(None);
         instance.destroy_instance(None);
     }

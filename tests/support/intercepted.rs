@@ -33,8 +33,8 @@ impl Intercepted {
         Self { device, gpu, _alone: alone }
     }
 
-    /// The handles for a denoiser or an executor.
+    /// The handles for a denoiser or an executor, which shares no pipeline with those whose calls are not seen.
     pub fn host(&self) -> Device<'_> {
-        Device { device: &self.device, ..self.gpu.host() }
+        Device { device: &self.device, pipelines: None, ..self.gpu.host() }
     }
 }

@@ -1,10 +1,11 @@
-//! Compares recording a frame through the C ABI with recording it in Rust, and opening a denoiser with a warm pipeline cache with
-//! opening it cold: `cargo run --release -p atrous-capi --example cost`. Times are those of the CPU, the least of a few batches.
+//! Compares recording a frame through the C ABI with recording it in Rust, and opening a denoiser with a warm pipeline cache or with
+//! shared pipelines with opening it cold: `cargo run --release -p atrous-capi --example cost`. Times are those of the CPU, the least of
+//! a few batches.
 
 use ash::vk;
 use atrous::config::Preset;
 use atrous::executor::{HeadlessDevice, HeadlessOptions};
-use atrous::{Binding, Config, Declaration, Denoiser, Device, FrameParams, Shape, Tuning};
+use atrous::{Binding, Config, Declaration, Denoiser, Device, FrameParams, Shape, SharedPipelines, Tuning};
 use atrous_capi::*;
 use cpu_time::ProcessTime;
 use std::collections::BTreeMap;
@@ -142,26 +143,31 @@ fn main() -> Result<(), Box<dyn Error>> {
     start(&gpu)
 }
 
-/// Opens a denoiser without a pipeline cache, with an empty one, and with that which is full then.
+/// Opens a denoiser without a pipeline cache, with an empty one, with that which is full then, and beside one whose pipelines it shares.
 fn start(gpu: &HeadlessDevice) -> Result<(), Box<dyn Error>> {
     let declaration = Config { preset: Preset::Best, ..Config::new(EXTENT) }.declare()?;
-    let mut least = [f64::INFINITY; 3];
+    let mut least = [f64::INFINITY; 4];
+    let shared = SharedPipelines::default();
+    // SAFETY: the device is live, and outlives the denoiser.
+    let _first = unsafe { Denoiser::new(Device { pipelines: Some(&shared), ..gpu.host() }, declaration.clone())? };
     for _ in 0..STARTS {
         // SAFETY: the device is live, and the cache is destroyed behind the denoisers.
         unsafe {
             let cache = gpu.device().create_pipeline_cache(&vk::PipelineCacheCreateInfo::default(), None)?;
-            for (pipeline_cache, least) in [vk::PipelineCache::null(), cache, cache].into_iter().zip(&mut least) {
+            let null = vk::PipelineCache::null();
+            let ways = [(null, None), (cache, None), (cache, None), (null, Some(&shared))];
+            for ((pipeline_cache, pipelines), least) in ways.into_iter().zip(&mut least) {
                 let start = ProcessTime::now();
-                let denoiser = Denoiser::new(Device { pipeline_cache, ..gpu.host() }, declaration.clone())?;
+                let denoiser = Denoiser::new(Device { pipeline_cache, pipelines, ..gpu.host() }, declaration.clone())?;
                 *least = least.min(start.elapsed().as_secs_f64() * 1e3);
                 drop(denoiser);
             }
             gpu.device().destroy_pipeline_cache(cache, None);
         }
     }
-    let [none, cold, warm] = least;
+    let [none, cold, warm, shared] = least;
     println!(
-        "Denoiser::new of best, CPU: without a cache {none:.1} ms, cold {cold:.1} ms, warm {warm:.1} ms: {:.2} of cold",
+        "Denoiser::new of best, CPU: without a cache {none:.1} ms, cold {cold:.1} ms, warm {warm:.1} ms: {:.2} of cold; shared {shared:.2} ms",
         warm / cold
     );
     Ok(())
@@ -241,7 +247,7 @@ fn denoisers(gpu: &HeadlessDevice, config: &Config) -> Result<(Denoiser, *mut At
     let Device { instance, physical_device, device, .. } = gpu.host();
     // SAFETY: the handles are live and belong together; structs have their sizes.
     unsafe {
-        let mut in_rust = Denoiser::new(gpu.host(), config.declare()?)?;
+        let mut in_rust = Denoiser::new(Device { pipelines: None, ..gpu.host() }, config.declare()?)?;
         in_rust.checks.on = false;
         let mut of_c: AtrousConfig = std::mem::zeroed();
         of_c.struct_size = size_of::<AtrousConfig>() as u32;

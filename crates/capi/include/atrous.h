@@ -570,6 +570,9 @@ typedef struct AtrousExecutor AtrousExecutor;
 // A graph of your own that is being built. Opaque, as AtrousDenoiser is.
 typedef struct AtrousGraph AtrousGraph;
 
+// Pipelines that the denoisers of a device share. Opaque, as AtrousDenoiser is.
+typedef struct AtrousPipelines AtrousPipelines;
+
 // The states of the images and buffers of a denoiser. Opaque, as AtrousDenoiser is.
 typedef struct AtrousTracker AtrousTracker;
 
@@ -737,6 +740,8 @@ typedef struct AtrousCreateInfo {
   uint32_t stay_in_general;
   // 0.
   uint32_t reserved;
+  // Pipelines that denoisers of this device share, or NULL.
+  const struct AtrousPipelines *pipelines;
 } AtrousCreateInfo;
 
 // Parameters of a frame; `atrous_frame_params_default` fills it.
@@ -1269,6 +1274,26 @@ AtrousStatus atrous_graph_output(struct AtrousGraph *graph, const char *name, At
 // None beyond those of a call through C.
 AtrousStatus atrous_graph_share_outputs(struct AtrousGraph *graph,
                                         uint32_t on);
+
+// Creates a store of pipelines for one device, which is empty. Give it in AtrousCreateInfo to denoisers and executors: a second view
+// or another preset creates only those pipelines that none before it had.
+//
+// # Safety
+// `pipelines` is null or points to a pointer.
+AtrousStatus atrous_pipelines_create(struct AtrousPipelines **pipelines);
+
+// Forgets its pipelines. Those that a denoiser uses live as long as it does.
+//
+// # Safety
+// The device is live.
+AtrousStatus atrous_pipelines_clear(struct AtrousPipelines *pipelines);
+
+// Destroys a store of pipelines. Those that a denoiser uses live as long as it does. Your handle is invalid from then on, and stays
+// so.
+//
+// # Safety
+// The device is live.
+AtrousStatus atrous_pipelines_destroy(struct AtrousPipelines *pipelines);
 
 // Records one pass. It allocates nothing; you place the barriers and submit. Give the `bindings` in the order of the pass's uses.
 //

@@ -238,6 +238,24 @@ private:
     std::unique_ptr<AtrousGraph, Destroy<AtrousGraph, atrous_graph_destroy>> handle_;
 };
 
+// Pipelines that denoisers of one device share: give get() as AtrousCreateInfo::pipelines.
+class Pipelines {
+public:
+    [[nodiscard]] AtrousStatus create() {
+        AtrousPipelines* made = nullptr;
+        const AtrousStatus status = atrous_pipelines_create(&made);
+        if (status == ATROUS_STATUS_OK) handle_.reset(made);
+        return status;
+    }
+    AtrousPipelines* get() const { return handle_.get(); }
+    explicit operator bool() const { return bool(handle_); }
+
+    [[nodiscard]] AtrousStatus clear() { return atrous_pipelines_clear(get()); }
+
+private:
+    std::unique_ptr<AtrousPipelines, Destroy<AtrousPipelines, atrous_pipelines_destroy>> handle_;
+};
+
 class Denoiser {
 public:
     [[nodiscard]] AtrousStatus create(const AtrousCreateInfo& info) {

@@ -4,6 +4,7 @@ use crate::device::{checks, load};
 use crate::functions::string;
 use crate::graph::declaration_of;
 use crate::handle::{self, AtrousExecutor, ExecutorState};
+use crate::pipelines::shared;
 use crate::pointers::{check_size, read};
 use crate::status::{guard, AtrousStatus, Failure};
 use crate::structs::{AtrousCreateInfo, AtrousFrameParams, AtrousLentImage};
@@ -51,7 +52,8 @@ pub unsafe extern "C" fn atrous_executor_create(info: *const AtrousCreateInfo, e
                 ..Default::default()
             };
             let loaded = load(&info)?;
-            let host = atrous::Device { pipeline_cache: info.pipeline_cache, ..loaded.device() };
+            let shared = shared(&info)?;
+            let host = atrous::Device { pipeline_cache: info.pipeline_cache, pipelines: shared.as_ref(), ..loaded.device() };
             let made = Executor::new(host, declaration, options)?;
             let state = ExecutorState { executor: made, tuning: Tuning::for_preset(preset), newest: None, next_phase: 0 };
             executor.write_unaligned(handle::insert(state));

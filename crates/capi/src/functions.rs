@@ -4,6 +4,7 @@ use crate::convert::{self, flag};
 use crate::device::{checks, load};
 use crate::graph::declaration_of;
 use crate::handle::{self, AtrousDenoiser, State};
+use crate::pipelines::shared;
 use crate::pointers::{check_size, read, write};
 use crate::status::{guard, AtrousStatus, Failure};
 use crate::structs::*;
@@ -61,7 +62,8 @@ unsafe fn create(info: &AtrousCreateInfo) -> Result<State, Failure> {
     let (denoiser, preset) = unsafe {
         let (declaration, preset) = declaration_of(info)?;
         let loaded = load(info)?;
-        let host = Device { pipeline_cache: info.pipeline_cache, ..loaded.device() };
+        let shared = shared(info)?;
+        let host = Device { pipeline_cache: info.pipeline_cache, pipelines: shared.as_ref(), ..loaded.device() };
         let mut denoiser = Denoiser::new(host, declaration)?;
         denoiser.checks.on = checks(info)?.unwrap_or(denoiser.checks.on);
         if flag("debug_labels", info.debug_labels)? {

@@ -7,7 +7,7 @@ use crate::graph::GraphState;
 use crate::status::{AtrousStatus, Failure};
 use crate::tracker::TrackerState;
 use atrous::executor::Executor;
-use atrous::{Denoiser, FrameContext, Tuning};
+use atrous::{Denoiser, FrameContext, SharedPipelines, Tuning};
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, PoisonError, RwLock};
@@ -29,6 +29,11 @@ pub struct AtrousTracker {
 
 /// A graph of your own that is being built. Opaque, as AtrousDenoiser is.
 pub struct AtrousGraph {
+    _private: (),
+}
+
+/// Pipelines that the denoisers of a device share. Opaque, as AtrousDenoiser is.
+pub struct AtrousPipelines {
     _private: (),
 }
 
@@ -95,6 +100,15 @@ impl Opaque for AtrousGraph {
     const NAME: (&'static str, &'static str) = ("graph", "atrous_graph_create");
     fn table() -> &'static RwLock<Table<GraphState>> {
         static TABLE: RwLock<Table<GraphState>> = RwLock::new(Table::new());
+        &TABLE
+    }
+}
+
+impl Opaque for AtrousPipelines {
+    type Object = SharedPipelines;
+    const NAME: (&'static str, &'static str) = ("store of pipelines", "atrous_pipelines_create");
+    fn table() -> &'static RwLock<Table<SharedPipelines>> {
+        static TABLE: RwLock<Table<SharedPipelines>> = RwLock::new(Table::new());
         &TABLE
     }
 }

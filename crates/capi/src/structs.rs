@@ -1,6 +1,6 @@
 //! Structs that cross the boundary. `struct_size` stands first: if you compiled against a different header, you get an error.
 
-use crate::{AtrousConfig, AtrousGraph, GetInstanceProcAddr};
+use crate::{AtrousConfig, AtrousGraph, AtrousPipelines, GetInstanceProcAddr};
 use ash::vk::{
     AccessFlags, AccessFlags2, Buffer, BufferMemoryBarrier, BufferUsageFlags, DependencyInfo, Device, Format, Image, ImageLayout,
     ImageMemoryBarrier, ImageUsageFlags, ImageView, Instance, MemoryBarrier, PhysicalDevice, PipelineCache, PipelineStageFlags,
@@ -53,6 +53,8 @@ pub struct AtrousCreateInfo {
     pub stay_in_general: u32,
     /// 0.
     pub reserved: u32,
+    /// Pipelines that denoisers of this device share, or NULL.
+    pub pipelines: *const AtrousPipelines,
 }
 
 /// An image that you lend for one call of `atrous_executor_denoise`: an input, or an output to be written.

@@ -254,6 +254,7 @@ fn header() -> String {
         "device.rs",
         "functions.rs",
         "graph.rs",
+        "pipelines.rs",
         "record.rs",
         "tracker.rs",
         "executor.rs",

@@ -33,7 +33,13 @@ impl WgpuDenoiser {
             let hal = unsafe { device.as_hal::<Vulkan>() }.ok_or(Error::NotVulkan)?;
             (hal.shared_instance().raw_instance().clone(), hal.raw_physical_device(), hal.raw_device().clone())
         };
-        let host = Device { instance: &instance, physical_device, device: &raw, pipeline_cache: vk::PipelineCache::null() };
+        let host = Device {
+            instance: &instance,
+            physical_device,
+            device: &raw,
+            pipeline_cache: vk::PipelineCache::null(),
+            pipelines: None,
+        };
         // wgpu does not enable synchronization2.
         let options = ExecutorOptions { legacy_barriers: true, ..Default::default() };
         let slots = (0..declaration.setup().frames_in_flight).map(|_| Arc::new(())).collect();

@@ -48,7 +48,7 @@ pub struct Denoise(Executor);
 impl Denoise {
     pub fn new(context: &gpu::Context, extent: [u32; 2]) -> Result<Self, Error> {
         let (instance, physical_device, device) = context.vulkan_device();
-        let host = Device { instance, physical_device, device, pipeline_cache: vk::PipelineCache::null() };
+        let host = Device { instance, physical_device, device, pipeline_cache: vk::PipelineCache::null(), pipelines: None };
         let options = ExecutorOptions { legacy_barriers: true, stay_in_general: true, ..Default::default() };
         // SAFETY: the handles are those of one device, which outlives this, and its work is waited for.
         unsafe { Executor::new(host, Config::new(extent).declare()?, options).map(Self) }

@@ -9,6 +9,9 @@ use atrous_measure::measure::{Frame, Scores};
 
 const EXTENT: Extent2D = Extent2D { width: 256, height: 144 };
 
+/// Where fewer pixels tell as much.
+const SMALLER: Extent2D = Extent2D { width: 160, height: 90 };
+
 /// Scores of the noisy picture of the last of `frames` frames, and of each denoised one, lights and nothing else held still. The noise of the
 /// reference is left out.
 fn last_frame(gpu: &Validated, name: &str, frames: u32, options: &[DenoiserOptions]) -> Vec<Scores> {
@@ -64,8 +67,7 @@ fn pillars_are_clean() {
 #[test]
 fn each_weight_of_eaw_improves_a_single_frame() {
     let Some(gpu) = Validated::new() else { return };
-    let small = Extent2D { width: 160, height: 90 };
-    let mut tracer = PathTracer::new(&gpu.0, &built_in("cornell", SceneOptions::default()), small, TracerOptions::default())
+    let mut tracer = PathTracer::new(&gpu.0, &built_in("cornell", SceneOptions::default()), SMALLER, TracerOptions::default())
         .expect("a path tracer");
     let reference = tracer.render_reference(64, |_, _| {}).expect("a reference").radiance();
     let errors = [0, 1, 2, 3].map(|count| {
@@ -87,8 +89,8 @@ fn each_weight_of_eaw_improves_a_single_frame() {
 fn display_errors(gpu: &Validated, motion: SceneOptions) -> [f64; 2] {
     const JITTERS: u32 = 8;
     let scene = built_in("pillars", SceneOptions { static_light: true, ..motion });
-    let mut tracer =
-        PathTracer::new(&gpu.0, &scene, EXTENT, TracerOptions { jitter: true, ..TracerOptions::default() }).expect("a path tracer");
+    let mut tracer = PathTracer::new(&gpu.0, &scene, SMALLER, TracerOptions { jitter: true, ..TracerOptions::default() })
+        .expect("a path tracer");
     let mut denoisers = [PostProcess::ToneMap, PostProcess::ToneMapTaa].map(|post_process| {
         let mut options = DenoiserOptions::new(Preset::Best).with(|config| config.post_process = post_process);
         options.tuning.tone_curve = ToneCurve::Linear;

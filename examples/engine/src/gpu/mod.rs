@@ -52,6 +52,8 @@ pub(crate) struct Shared {
     pub(crate) command_pool: Mutex<vk::CommandPool>,
     /// Of every pipeline, so that what is made again, for another scene, is found in it.
     pub(crate) pipeline_cache: vk::PipelineCache,
+    /// Of every denoiser: another preset makes those alone that no preset before it had.
+    pipelines: atrous::SharedPipelines,
     /// Submitting and presenting need it to themselves.
     queue: Mutex<vk::Queue>,
     queue_family: u32,
@@ -92,6 +94,7 @@ impl Gpu {
             allocator: ManuallyDrop::new(Mutex::new(allocator)),
             command_pool: Mutex::new(pool),
             pipeline_cache,
+            pipelines: atrous::SharedPipelines::default(),
             queue: Mutex::new(queue),
             queue_family,
             chosen,
@@ -148,6 +151,7 @@ impl Gpu {
             physical_device: self.physical_device(),
             device: self.device(),
             pipeline_cache: self.shared.pipeline_cache,
+            pipelines: Some(&self.shared.pipelines),
         }
     }
 
@@ -208,6 +212,7 @@ impl Drop for Shared {
         unsafe {
             let _ = self.device.device_wait_idle();
             self.device.destroy_command_pool(pool, None);
+            drop(std::mem::take(&mut self.pipelines));
             self.device.destroy_pipeline_cache(self.pipeline_cache, None);
             ManuallyDrop::drop(&mut self.allocator);
             self.device.destroy_device(None);

@@ -6,7 +6,7 @@ use super::report::HostCost;
 use super::runner::Frames;
 use ash::vk;
 use atrous::executor::{Executor, ExecutorOptions, HeadlessDevice};
-use atrous::{Declaration, Denoiser, FrameParams, Phase, Tuning};
+use atrous::{Declaration, Denoiser, Device, FrameParams, Phase, Tuning};
 use cpu_time::{ProcessTime, ThreadTime};
 use std::error::Error;
 use std::time::Instant;
@@ -18,7 +18,7 @@ const FRAMES_IN_BATCH: u32 = 40;
 pub fn start_up(gpu: &HeadlessDevice, declaration: &Declaration) -> Result<HostCost, atrous::Error> {
     let (wall, cpu) = (Instant::now(), ProcessTime::now());
     // SAFETY: the handles are live, belong together and outlive the denoiser.
-    let denoiser = unsafe { Denoiser::new(gpu.host(), declaration.clone())? };
+    let denoiser = unsafe { Denoiser::new(Device { pipelines: None, ..gpu.host() }, declaration.clone())? };
     let cost = HostCost {
         start_up_ms: wall.elapsed().as_secs_f64() * 1e3,
         start_up_cpu_ms: cpu.elapsed().as_secs_f64() * 1e3,
