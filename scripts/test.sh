@@ -129,18 +129,21 @@ fi
 step cargo fmt --all --check
 # The stages are modules of a macro, where `cargo fmt` does not find them.
 step rustfmt --edition 2021 --check src/nodes/*/mod.rs
-step cargo clippy --workspace --all-targets --features capture,window,hot-reload --quiet -- -D warnings
 step cargo clippy --package atrous --quiet -- -D warnings
 # Also proves that the checked-in SPIR-V was made from this GLSL, and that no C++ toolchain is needed with it.
 step cargo clippy --package atrous --no-default-features --lib --example host_ash --quiet -- -D warnings
 step cargo clippy --package atrous --no-default-features --features capture --lib --quiet -- -D warnings
-step cargo test --workspace --features capture,window,hot-reload --quiet
+# The compiler of these builds is clippy's: a run of `cargo clippy` would build every dependency once more.
+tests=(env RUSTC_WORKSPACE_WRAPPER="$(rustc --print sysroot)/bin/clippy-driver" CLIPPY_ARGS=-Dwarnings
+    cargo test --workspace --features capture,window,hot-reload --quiet)
+step "${tests[@]}" --no-run
+step "${tests[@]}"
 # A second driver, where Debian's chromium brings one: what holds by arithmetic holds there as well.
 swiftshader=/usr/lib/chromium/vk_swiftshader_icd.json
 if [ -e "$swiftshader" ]; then
     for filter in parity::one_signal parity::specular_fast where_nothing_changed bad_values_are_forgotten graphs::wild visibility:: contract::; do
         # How near many frames of visibility come to the truth is no matter of the driver.
-        VK_ICD_FILENAMES=$swiftshader step cargo test --workspace --features capture,window,hot-reload --quiet --test suite -- \
+        VK_ICD_FILENAMES=$swiftshader step "${tests[@]}" --test suite -- \
             "$filter" --skip each_of_four_lights --skip nearer_to_the_truth
     done
 fi
@@ -148,7 +151,6 @@ fi
 for features in --no-default-features --features=default; do
     RUSTDOCFLAGS="-D warnings" step cargo doc --package atrous "$features" --no-deps --quiet
 done
-# With the examples, dependencies have the features that the lints checked them with, and are not checked once more.
-RUSTDOCFLAGS="-D warnings" step cargo doc --workspace --lib --examples --features capture,window,hot-reload --no-deps --quiet
+RUSTDOCFLAGS="-D warnings" step cargo doc --workspace --lib --features capture,window,hot-reload --no-deps --quiet
 echo
 echo "test.sh: all passed, $SECONDS s"
