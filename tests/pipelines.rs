@@ -1,5 +1,6 @@
 //! Creation of pipelines: through the cache of the host, on several threads, and without a trace where one fails.
 
+use super::support::examples::{compile, MEAN_3X3};
 use super::support::spy::{Spy, REFUSED};
 use super::support::{assert_valid, gpu};
 use ash::vk;
@@ -99,12 +100,8 @@ fn denoisers_share_what_they_have_in_common() {
 
 /// A graph with a stage that is named alike for each factor.
 fn scaled(spy: &Spy, pipelines: &SharedPipelines, factor: &str) -> Denoiser {
-    let source = include_str!("../examples/mean_3x3.comp").replace("sum.rgb / sum.a", &format!("{factor} * sum.rgb / sum.a"));
-    let mut options = shaderc::CompileOptions::new().expect("options");
-    options.set_target_env(shaderc::TargetEnv::Vulkan, shaderc::EnvVersion::Vulkan1_1 as u32);
-    let compiler = shaderc::Compiler::new().expect("a compiler");
-    let compiled = compiler.compile_into_spirv(&source, shaderc::ShaderKind::Compute, "mean_3x3", "main", Some(&options));
-    let stage = Stage::new("mean_3x3", compiled.expect("SPIR-V").as_binary()).expect("a stage");
+    let source = MEAN_3X3.replace("sum.rgb / sum.a", &format!("{factor} * sum.rgb / sum.a"));
+    let stage = Stage::new("mean_3x3", &compile(&source)).expect("a stage");
     let mut g = Graph::new([16, 9]);
     let guides = g.import(Import::default());
     let noisy = g.radiance("noisy_radiance");

@@ -44,6 +44,7 @@ impl Denoiser {
     /// - Instance, physical device and device are live, belong together and outlive the result.
     /// - The pipeline cache is null or a live one of the device, and not externally synchronised. Nothing else is merged into it
     ///   meanwhile.
+    /// - Shared pipelines are of this device alone. The device outlives them.
     pub unsafe fn new(host: Device<'_>, declaration: Declaration) -> Result<Self, Error> {
         let Device { instance, physical_device, device, pipeline_cache, pipelines } = host;
         // SAFETY: instance, physical device and device are live and belong together, as the caller promised.
@@ -51,8 +52,8 @@ impl Denoiser {
             Requirements::new(&declaration).check_device(host)?;
             instance.get_physical_device_properties(physical_device)
         };
-        // SAFETY: the device is live and outlives the pipelines, and the cache is one of its own that synchronises itself, as the
-        // caller promised.
+        // SAFETY: the device is live, the only one of the shared pipelines, and outlives all of them, and the cache is one of its own
+        // that synchronises itself, as the caller promised.
         let pipelines = unsafe { Pipelines::new(device, pipeline_cache, pipelines.cloned().unwrap_or_default(), &declaration)? };
         let (device, limits) = (device.clone(), properties.limits);
         Ok(Self {

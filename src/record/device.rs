@@ -20,7 +20,7 @@ pub struct Device<'a> {
     /// Pipelines are created on several threads at once. Vulkan synchronises a cache itself, unless it was made with
     /// `VK_PIPELINE_CACHE_CREATE_EXTERNALLY_SYNCHRONIZED_BIT`: do not give such a one.
     pub pipeline_cache: vk::PipelineCache,
-    /// Pipelines that denoisers of this device share; `None`: each has its own.
+    /// Pipelines that denoisers of this device share; `None`: each has its own. Drop them before the device.
     pub pipelines: Option<&'a SharedPipelines>,
 }
 

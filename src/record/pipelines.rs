@@ -8,8 +8,6 @@ use crate::error::Error;
 use crate::shaders::descriptor_type;
 use ash::vk;
 use std::collections::BTreeMap;
-#[cfg(feature = "hot-reload")]
-use std::sync::Arc;
 
 /// The objects that a dispatch binds.
 #[derive(Clone, Copy)]
@@ -88,7 +86,7 @@ impl Pipelines {
             for bindable in self.bindables.iter_mut().flatten().flatten().filter(|b| b.pipeline == pipeline.pipeline) {
                 bindable.pipeline = new.pipeline;
             }
-            *pipeline = Arc::new(new);
+            *pipeline = new.into();
         }
         Ok(any)
     }

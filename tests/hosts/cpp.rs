@@ -1,7 +1,7 @@
 //! The C++ host: built by its own script, once plainly on the static library, and once with AddressSanitizer on the shared one.
 
 use super::{checksums, of_executor, validated};
-use crate::support::{session, soak};
+use crate::support::{examples, session, soak};
 use atrous::{Choice, Config, DebugView, FrameParams, Tuning, UseFrame};
 use atrous_synthetic as synthetic;
 use std::path::PathBuf;
@@ -99,7 +99,7 @@ fn of_view(view: DebugView) -> String {
 
 /// A graph of the host's own with a compute shader of its own, built by C99 and by C++17, under the same.
 pub fn graphs_of_c_and_cpp_give_the_bits_of_that_of_rust() {
-    let spirv = shader_of_the_example();
+    let spirv = examples::compile(examples::MEAN_3X3);
     let (words, object) = (root().join("target/mean_3x3.spv"), root().join("target/host_c_custom_graph.o"));
     std::fs::write(&words, spirv.iter().flat_map(|word| word.to_ne_bytes()).collect::<Vec<_>>()).expect("a file");
     let sanitizers = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
@@ -111,15 +111,6 @@ pub fn graphs_of_c_and_cpp_give_the_bits_of_that_of_rust() {
         let output = run(program.clone(), arguments);
         assert_eq!(checksums("host_cpp_custom_graph", &output), super::of_example("custom_graph"), "{arguments:?}");
     }
-}
-
-fn shader_of_the_example() -> Vec<u32> {
-    let source = std::fs::read_to_string(root().join("examples/mean_3x3.comp")).expect("examples/mean_3x3.comp");
-    let mut options = shaderc::CompileOptions::new().expect("options");
-    options.set_target_env(shaderc::TargetEnv::Vulkan, shaderc::EnvVersion::Vulkan1_1 as u32);
-    let compiler = shaderc::Compiler::new().expect("a compiler");
-    let compiled = compiler.compile_into_spirv(&source, shaderc::ShaderKind::Compute, "mean_3x3.comp", "main", Some(&options));
-    compiled.expect("SPIR-V").as_binary().to_vec()
 }
 
 /// Compiles a program of examples/host_c, with all warnings and sanitizers.

@@ -7,6 +7,18 @@ use std::sync::OnceLock;
 /// Features of the workspace as scripts/test.sh has them, so that what it built is used.
 const FEATURES: &str = "capture,window,hot-reload";
 
+/// The compute shader of the host in examples/custom_graph.rs.
+pub const MEAN_3X3: &str = include_str!("../../examples/mean_3x3.comp");
+
+/// SPIR-V of a compute shader, with its names.
+pub fn compile(source: &str) -> Vec<u32> {
+    let mut options = shaderc::CompileOptions::new().expect("options");
+    options.set_target_env(shaderc::TargetEnv::Vulkan, shaderc::EnvVersion::Vulkan1_1 as u32);
+    let compiler = shaderc::Compiler::new().expect("a compiler");
+    let compiled = compiler.compile_into_spirv(source, shaderc::ShaderKind::Compute, "host.comp", "main", Some(&options));
+    compiled.expect("SPIR-V").as_binary().to_vec()
+}
+
 /// An example, built where it is missing or older than its sources: `cargo test --test suite` alone does not build it.
 pub fn program(name: &str) -> PathBuf {
     static FOLDER: OnceLock<PathBuf> = OnceLock::new();

@@ -2,29 +2,42 @@
 
 use crate::convert::flag;
 use crate::graph::declaration_of;
+use crate::pipelines::shared;
 use crate::pointers::read;
 use crate::status::{guard, AtrousStatus, Failure};
 use crate::structs::AtrousCreateInfo;
 use crate::GetInstanceProcAddr;
-use ash::vk::Handle;
-use atrous::{Device, LoadedDevice, Requirements};
+use ash::vk::{Handle, PipelineCache};
+use atrous::{Device, LoadedDevice, Requirements, SharedPipelines};
 use std::ffi::c_void;
 
-/// The functions of the host's device.
-///
+/// The device of a host, with its pipelines.
+pub(super) struct HostDevice {
+    loaded: LoadedDevice,
+    pipeline_cache: PipelineCache,
+    pipelines: Option<SharedPipelines>,
+}
+
+impl HostDevice {
+    pub(super) fn device(&self) -> Device<'_> {
+        Device { pipeline_cache: self.pipeline_cache, pipelines: self.pipelines.as_ref(), ..self.loaded.device() }
+    }
+}
+
 /// # Safety
 /// Obligations of [`crate::atrous_create`].
-pub(super) unsafe fn load(info: &AtrousCreateInfo) -> Result<LoadedDevice, Failure> {
+pub(super) unsafe fn load(info: &AtrousCreateInfo) -> Result<HostDevice, Failure> {
     let get_instance_proc_addr = functions_of(info)?;
     if info.device.is_null() {
         return Err(null("device"));
     }
     // SAFETY: instance, physical device and device are not null, are live and belong together, and the host keeps them alive until
     // the object is destroyed.
-    unsafe {
+    let loaded = unsafe {
         let handles = [info.instance.as_raw(), info.physical_device.as_raw(), info.device.as_raw()];
-        Ok(Device::from_raw(get_instance_proc_addr as *const c_void, handles[0], handles[1], handles[2])?)
-    }
+        Device::from_raw(get_instance_proc_addr as *const c_void, handles[0], handles[1], handles[2])?
+    };
+    Ok(HostDevice { loaded, pipeline_cache: info.pipeline_cache, pipelines: shared(info)? })
 }
 
 fn functions_of(info: &AtrousCreateInfo) -> Result<ash::vk::PFN_vkGetInstanceProcAddr, Failure> {

@@ -4,7 +4,6 @@ use crate::device::{checks, load};
 use crate::functions::string;
 use crate::graph::declaration_of;
 use crate::handle::{self, AtrousExecutor, ExecutorState};
-use crate::pipelines::shared;
 use crate::pointers::{check_size, read};
 use crate::status::{guard, AtrousStatus, Failure};
 use crate::structs::{AtrousCreateInfo, AtrousFrameParams, AtrousLentImage};
@@ -51,10 +50,8 @@ pub unsafe extern "C" fn atrous_executor_create(info: *const AtrousCreateInfo, e
                 check_guides: crate::convert::flag("check_guides", info.check_guides)?.then_some(atrous_conventions::check_frames),
                 ..Default::default()
             };
-            let loaded = load(&info)?;
-            let shared = shared(&info)?;
-            let host = atrous::Device { pipeline_cache: info.pipeline_cache, pipelines: shared.as_ref(), ..loaded.device() };
-            let made = Executor::new(host, declaration, options)?;
+            let host = load(&info)?;
+            let made = Executor::new(host.device(), declaration, options)?;
             let state = ExecutorState { executor: made, tuning: Tuning::for_preset(preset), newest: None, next_phase: 0 };
             executor.write_unaligned(handle::insert(state));
         }

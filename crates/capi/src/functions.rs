@@ -4,13 +4,12 @@ use crate::convert::{self, flag};
 use crate::device::{checks, load};
 use crate::graph::declaration_of;
 use crate::handle::{self, AtrousDenoiser, State};
-use crate::pipelines::shared;
 use crate::pointers::{check_size, read, write};
 use crate::status::{guard, AtrousStatus, Failure};
 use crate::structs::*;
 use crate::AtrousConfig;
 use atrous::contract::ResourceId;
-use atrous::{Denoiser, Device, Placement, Tuning, UseFrame};
+use atrous::{Denoiser, Placement, Tuning, UseFrame};
 use std::ffi::{c_char, CStr};
 
 /// Fills a configuration with defaults for an extent.
@@ -61,13 +60,11 @@ unsafe fn create(info: &AtrousCreateInfo) -> Result<State, Failure> {
     // keeps them alive until `atrous_destroy`.
     let (denoiser, preset) = unsafe {
         let (declaration, preset) = declaration_of(info)?;
-        let loaded = load(info)?;
-        let shared = shared(info)?;
-        let host = Device { pipeline_cache: info.pipeline_cache, pipelines: shared.as_ref(), ..loaded.device() };
-        let mut denoiser = Denoiser::new(host, declaration)?;
+        let host = load(info)?;
+        let mut denoiser = Denoiser::new(host.device(), declaration)?;
         denoiser.checks.on = checks(info)?.unwrap_or(denoiser.checks.on);
         if flag("debug_labels", info.debug_labels)? {
-            denoiser.name_objects(host);
+            denoiser.name_objects(host.device());
         }
         (denoiser, preset)
     };

@@ -68,49 +68,26 @@ pub(super) trait Opaque: Sized + 'static {
 /// Live objects by the number of their handle.
 pub(super) type Table<T> = BTreeMap<usize, Arc<RwLock<T>>>;
 
-impl Opaque for AtrousDenoiser {
-    type Object = State;
-    const NAME: (&'static str, &'static str) = ("denoiser", "atrous_create");
-    fn table() -> &'static RwLock<Table<State>> {
-        static TABLE: RwLock<Table<State>> = RwLock::new(Table::new());
-        &TABLE
-    }
+/// A table of its own for each type of handle.
+macro_rules! opaque {
+    ($($handle:ty: $object:ty, $name:literal, $maker:literal;)+) => {$(
+        impl Opaque for $handle {
+            type Object = $object;
+            const NAME: (&'static str, &'static str) = ($name, $maker);
+            fn table() -> &'static RwLock<Table<$object>> {
+                static TABLE: RwLock<Table<$object>> = RwLock::new(Table::new());
+                &TABLE
+            }
+        }
+    )+};
 }
 
-impl Opaque for AtrousExecutor {
-    type Object = ExecutorState;
-    const NAME: (&'static str, &'static str) = ("executor", "atrous_executor_create");
-    fn table() -> &'static RwLock<Table<ExecutorState>> {
-        static TABLE: RwLock<Table<ExecutorState>> = RwLock::new(Table::new());
-        &TABLE
-    }
-}
-
-impl Opaque for AtrousTracker {
-    type Object = TrackerState;
-    const NAME: (&'static str, &'static str) = ("tracker", "atrous_tracker_create");
-    fn table() -> &'static RwLock<Table<TrackerState>> {
-        static TABLE: RwLock<Table<TrackerState>> = RwLock::new(Table::new());
-        &TABLE
-    }
-}
-
-impl Opaque for AtrousGraph {
-    type Object = GraphState;
-    const NAME: (&'static str, &'static str) = ("graph", "atrous_graph_create");
-    fn table() -> &'static RwLock<Table<GraphState>> {
-        static TABLE: RwLock<Table<GraphState>> = RwLock::new(Table::new());
-        &TABLE
-    }
-}
-
-impl Opaque for AtrousPipelines {
-    type Object = SharedPipelines;
-    const NAME: (&'static str, &'static str) = ("store of pipelines", "atrous_pipelines_create");
-    fn table() -> &'static RwLock<Table<SharedPipelines>> {
-        static TABLE: RwLock<Table<SharedPipelines>> = RwLock::new(Table::new());
-        &TABLE
-    }
+opaque! {
+    AtrousDenoiser: State, "denoiser", "atrous_create";
+    AtrousExecutor: ExecutorState, "executor", "atrous_executor_create";
+    AtrousTracker: TrackerState, "tracker", "atrous_tracker_create";
+    AtrousGraph: GraphState, "graph", "atrous_graph_create";
+    AtrousPipelines: SharedPipelines, "store of pipelines", "atrous_pipelines_create";
 }
 
 /// A number that no handle of any type had before, so that none passes for one of a different type. Allocators return no odd ones.
@@ -182,22 +159,9 @@ mod tests {
     /// A different one.
     struct Other;
 
-    impl Opaque for Probe {
-        type Object = u32;
-        const NAME: (&'static str, &'static str) = ("probe", "insert");
-        fn table() -> &'static RwLock<Table<u32>> {
-            static TABLE: RwLock<Table<u32>> = RwLock::new(Table::new());
-            &TABLE
-        }
-    }
-
-    impl Opaque for Other {
-        type Object = u32;
-        const NAME: (&'static str, &'static str) = ("other", "insert");
-        fn table() -> &'static RwLock<Table<u32>> {
-            static TABLE: RwLock<Table<u32>> = RwLock::new(Table::new());
-            &TABLE
-        }
+    opaque! {
+        Probe: u32, "probe", "insert";
+        Other: u32, "other", "insert";
     }
 
     #[test]
