@@ -50,15 +50,11 @@ struct Change {
 
 Change change_of(uint corner) {
     float count = 0.0, sum = 0.0, variance = 0.0, brighter = 0.0, worst = 0.0, noise = 0.0, past_noise = 0.0;
-    float known = 0.0;
-    vec3 products = vec3(0.0);
     // Few invocations come here, and where branches are masked instead of skipped only a loop ends.
     [[dont_unroll]] for (uint i = 0u; i < 9u; ++i) {
         BlockDifference block = blocks[corner + i % 3u + WIDTH * (i / 3u)];
         float of_sum = block.count * block.mean, of_variance = block.count * block.deviation * block.deviation;
         float of_brighter = block.count * block.brighter;
-        known += block.count > 0.0 ? 1.0 : 0.0;
-        products += vec3(of_sum * of_sum, block.count * of_sum, block.count * block.count);
         count += block.count;
         sum += of_sum;
         variance += of_variance;
@@ -67,11 +63,9 @@ Change change_of(uint corner) {
         past_noise = max(past_noise, block.past_noise);
         if (wants_steadiness()) worst = max(worst, errors_of(of_sum, of_variance, of_brighter));
     }
-    float mean = sum / max(count, 1.0);
-    float between = max(products.x - mean * (2.0 * products.y - mean * products.z), 0.0) * known / max(known - 1.0, 1.0);
-    float errors = errors_of(sum, max(variance, between), brighter);
-    vec2 all = push.change_threshold * STEADY_MEAN, single = push.change_threshold * STEADY_BLOCK;
-    float steady = count == 0.0 ? 0.0 : (1.0 - lin(all.x, all.y, errors)) * (1.0 - lin(single.x, single.y, worst));
+    float errors = errors_of(sum, variance, brighter);
+    vec2 mean = push.change_threshold * STEADY_MEAN, block = push.change_threshold * STEADY_BLOCK;
+    float steady = count == 0.0 ? 0.0 : (1.0 - lin(mean.x, mean.y, errors)) * (1.0 - lin(block.x, block.y, worst));
     noise = sqrt(noise / max(count, 1.0));
     BlockDifference own = blocks[corner + 1u + WIDTH];
     float explained = own.brighter * max(noise, CHANGE_EPSILON * push.change_threshold), square = own.mean * own.mean + own.deviation * own.deviation;

@@ -126,24 +126,3 @@ fn light_without_noise_loses_the_history_of_what_changed() {
     assert_eq!(confidence(1.0, 0.0), [1.0, 1.0], "noise explains it");
     assert_eq!(confidence(0.0, 1.0), [1.0, 1.0], "rare light explains it, which this frame has none of");
 }
-
-/// Neighbours that share a sample share its noise, which the deviations of single pixels do not show.
-#[test]
-fn noise_that_blocks_have_in_common_is_no_change() {
-    let frame = frame([40, 40]);
-    let tuning = Tuning { change_threshold: 2.5, ..svgf_tuning() };
-    let confidence = |mean_of: &dyn Fn(i32, i32) -> f32, count_of: &dyn Fn(i32, i32) -> f32| {
-        let difference = paint([5, 5], |x, y| {
-            let (mean, count) = (mean_of(x, y), count_of(x, y));
-            pack_difference(&Difference { mean, deviation: 1.0, count, brighter: 1.0, noise: 0.2, past_noise: 0.2 })
-        });
-        change_test(&frame, &tuning, [40, 40], &[&difference]).history_confidence.at(glam::IVec2::splat(20))
-    };
-    let all = |_: i32, _: i32| 64.0;
-    assert_eq!(confidence(&|_, _| 0.5, &all), 0.0, "12 standard errors, of all blocks alike");
-    let clustered = confidence(&|x, y| if (x + y) % 3 == 0 { 1.5 } else { 0.0 }, &all);
-    assert_eq!(clustered, 1.0, "the same mean, from every third block");
-    // One block says nothing of a spread.
-    let alone = |x: i32, y: i32| if (x, y) == (2, 2) { 64.0 } else { 0.0 };
-    assert_eq!(confidence(&|_, _| 1.0, &alone), 0.0, "8 standard errors");
-}

@@ -72,16 +72,10 @@ struct Change {
 fn change_of(tuning: &Tuning, blocks: Blocks, differences: &Image<[u16; 4]>, block: IVec2) -> Change {
     let (mut pixels, mut sum, mut variance, mut brighter, mut noise) = (0.0, 0.0, 0.0, 0.0, 0.0);
     let (mut past_noise, mut worst) = (0.0_f32, 0.0_f32);
-    let (mut known, mut products) = (0.0_f32, [0.0; 3]);
     for (_, q) in blocks.rect().window(block, 1, 1) {
         let difference = unpack_difference(differences.at(q));
         let of_block =
             [difference.mean, difference.deviation * difference.deviation, difference.brighter].map(|v| difference.count * v);
-        if difference.count > 0.0 {
-            known += 1.0;
-        }
-        let of_products = [of_block[0] * of_block[0], difference.count * of_block[0], difference.count * difference.count];
-        products.iter_mut().zip(of_products).for_each(|(sum, product)| *sum += product);
         pixels += difference.count;
         sum += of_block[0];
         variance += of_block[1];
@@ -90,11 +84,7 @@ fn change_of(tuning: &Tuning, blocks: Blocks, differences: &Image<[u16; 4]>, blo
         past_noise = past_noise.max(difference.past_noise);
         worst = worst.max(errors(of_block));
     }
-    // Noise that neighbours share does not average out within a block, and shows between them.
-    let mean = sum / pixels.max(1.0);
-    let squares: f32 = products[0] - mean * (2.0 * products[1] - mean * products[2]);
-    let between = squares.max(0.0) * known / (known - 1.0).max(1.0);
-    let (k, errors) = (tuning.change_threshold, errors([sum, variance.max(between), brighter]));
+    let (k, errors) = (tuning.change_threshold, errors([sum, variance, brighter]));
     let steady = |shares: [f32; 2], errors| 1.0 - lin(shares[0] * k, shares[1] * k, errors);
     let steadiness = if pixels == 0.0 { 0.0 } else { steady(STEADY_MEAN, errors) * steady(STEADY_BLOCK, worst) };
     let (own, noise) = (unpack_difference(differences.at(block)), (noise / pixels.max(1.0)).sqrt());
