@@ -129,27 +129,39 @@ const float FILLED_NOISE = 2.0;
 
 // Shares of a spread of logarithms that bends as noise does: up to the first it is an edge, a texture or a highlight that no guide knows, from
 // the second on it is noise.
-const float STRUCTURE = 0.4;
+const float STRUCTURE = 0.6;
 const float WHITE_NOISE = 0.8;
 // Of the mean: logarithms of less are next to equal.
 const float DARK = 0.1;
-// Variances of logarithms to base 2 that do not bend: from the first to the second, a picture counts as one. It spans a factor of 1.6, and 2.7.
-const float FAINT_PICTURE = 0.5;
-const float CLEAR_PICTURE = 2.0;
+// Variances of logarithms to base 2: from the first to the second, a picture or noise counts as one. It spans a factor of 1.6, and 2.7.
+const float FAINT = 0.5;
+const float CLEAR = 2.0;
 
 // Estimates from 5x5 pixels of how the luminance of one of them varies.
 struct Surroundings {
     float within;  // variance of the samples that a mean was made of; less where a clear picture is
     float noise;   // variance of the means, without what is smooth, and less likewise
     float seen;    // of that noise, without edges and textures
-    float doubt;   // relative standard error of a variance that was seen in so few pixels
+    float doubt;   // share that a variance which was seen in so few pixels is wider by
 };
 
 // How far neighbours differ as noise does and not as a picture, 0 to 1: in all, and where the picture is a clear one alone. Told by logarithms, in
 // which a highlight is as smooth as its foot, and rare light is not. `noise`: the part of their spread that bends.
 vec2 whiteness(float spread, float noise) {
     float white = smoothstep(STRUCTURE, WHITE_NOISE, noise / max(spread, 1e-20));
-    return vec2(white, mix(1.0, white, smoothstep(FAINT_PICTURE, CLEAR_PICTURE, spread - noise)));
+    return vec2(white, mix(1.0, white, smoothstep(FAINT, CLEAR, spread - noise)));
+}
+
+// How much wider a variance is that is in doubt, and that of rare light: a window that has a single pixel of it says next to nothing.
+const float DOUBT = 3.0;
+const float RARE_DOUBT = 24.0;
+
+// `error`: relative standard error of a variance. `log_noise`: variance of logarithms that bends.
+float doubt_of(float error, float log_noise) {
+    float rare = min(error, 1.0) * smoothstep(FAINT, CLEAR, log_noise);
+    rare *= rare;
+    rare *= rare;
+    return DOUBT * error + RARE_DOUBT * rare * rare;
 }
 
 // White noise bends by six times its variance.
@@ -188,17 +200,15 @@ Surroundings surroundings_of(vec2 luminances[PIXELS], float weights[PIXELS]) {
         }
     }
     spreads /= sum;
-    float doubt = sqrt(max(fourth / max(sum * spreads.x * spreads.x, 1e-36) - 1.0, 0.0) / sum);
-    if (FILLED) return Surroundings(within, FILLED_NOISE * spreads.x, FILLED_NOISE * spreads.x, doubt);
-    if (triples <= 0.5) return Surroundings(within, spreads.x, spreads.x, doubt);
+    float error = sqrt(max(fourth / max(sum * spreads.x * spreads.x, 1e-36) - 1.0, 0.0) / sum);
+    if (FILLED) return Surroundings(within, FILLED_NOISE * spreads.x, FILLED_NOISE * spreads.x, doubt_of(error, 0.0));
+    if (triples <= 0.5) return Surroundings(within, spreads.x, spreads.x, doubt_of(error, 0.0));
     bends /= BEND_OF_NOISE * triples;
     vec2 white = whiteness(spreads.y, bends.y);
     float noise = min(spreads.x, bends.x);
-    return Surroundings(within * white.y, noise * white.y, noise * white.x, doubt);
+    return Surroundings(within * white.y, noise * white.y, noise * white.x, doubt_of(error, bends.y));
 }
 
-// How much wider a variance is that is in doubt.
-const float DOUBT = 3.0;
 // Of the noise that neighbouring means still show: noise that repeats is not averaged away, and few neighbours show too little of it.
 const float SEEN_NOISE = 1.75;
 
@@ -209,7 +219,7 @@ const float REPEATED_NOISE = 8.0;
 // Standard deviation of the accumulated mean: never below the noise of neighbouring means.
 float deviation_of_mean(LuminanceHistory m, Surroundings around) {
     float frames = max(m.history_length / push.sample_frames, 1.0), share = min(push.spatial_variance_frames / frames, 1.0);
-    float spatial = (around.within + around.noise) * share * (1.0 + DOUBT * around.doubt / frames);
+    float spatial = (around.within + around.noise) * share * (1.0 + around.doubt / frames);
     float of_sample = mix(m.deviation * m.deviation, spatial, share);
     float averaging = min(max(1.0 / frames, push.sample_frames * push.alpha / (2.0 - push.alpha)), 1.0);
     float known = of_sample * averaging, seen = SEEN_NOISE * around.seen;

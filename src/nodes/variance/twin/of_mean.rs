@@ -9,8 +9,10 @@ use glam::IVec2;
 #[cfg(test)]
 mod tests;
 
-/// How much wider a variance is that is in doubt.
+/// How much wider a variance is that is in doubt, and that of rare light: a window that has a single pixel of it says
+/// next to nothing.
 const DOUBT: f32 = 3.0;
+const RARE_DOUBT: f32 = 24.0;
 
 /// Of the noise that neighbouring means still show: noise that repeats is not averaged away, and few neighbours show too little of it.
 const SEEN_NOISE: f32 = 1.75;
@@ -23,16 +25,15 @@ const BEND_OF_NOISE: f32 = 6.0;
 
 /// Shares of a spread of logarithms that bends as noise does: up to the first it is an edge, a texture or a highlight that no guide knows,
 /// from the second on it is noise.
-const STRUCTURE: f32 = 0.4;
+const STRUCTURE: f32 = 0.6;
 const WHITE_NOISE: f32 = 0.8;
 
 /// Of the mean: logarithms of less are next to equal.
 const DARK: f32 = 0.1;
 
-/// Variances of logarithms to base 2 that do not bend: from the first to the second, a picture counts as one. It spans a factor of 1.6,
-/// and 2.7.
-const FAINT_PICTURE: f32 = 0.5;
-const CLEAR_PICTURE: f32 = 2.0;
+/// Variances of logarithms to base 2: from the first to the second, a picture or noise counts as one. It spans a factor of 1.6, and 2.7.
+const FAINT: f32 = 0.5;
+const CLEAR: f32 = 2.0;
 
 /// Estimates from 5×5 pixels of how the luminance of one of them varies.
 struct Surroundings {
@@ -43,7 +44,17 @@ struct Surroundings {
     /// Of that noise, without edges and textures.
     seen: f32,
     /// Relative standard error of a variance that was seen in so few pixels.
-    doubt: f32,
+    error: f32,
+    /// Variance of the logarithms of means that bends.
+    log_noise: f32,
+}
+
+impl Surroundings {
+    /// Share that the variance is wider by.
+    fn doubt(&self) -> f32 {
+        let rare = self.error.min(1.0) * smoothstep(FAINT, CLEAR, self.log_noise);
+        DOUBT * self.error + RARE_DOUBT * rare.powi(8)
+    }
 }
 
 /// Of a history of so many frames, noise that is seen beyond so many times its variance came again from frame to frame.
@@ -67,7 +78,7 @@ pub(super) fn deviation_of_mean(
     deviation(
         tuning,
         luminance_history.at(p),
-        Surroundings { within, noise: noise * white.of_pictures, seen: noise * white.whole, ..around },
+        Surroundings { within, noise: noise * white.of_pictures, seen: noise * white.whole, log_noise: white.log_noise, ..around },
     )
 }
 
@@ -77,6 +88,7 @@ struct Whiteness {
     whole: f32,
     /// 1 where the picture is no clear one.
     of_pictures: f32,
+    log_noise: f32,
 }
 
 impl Whiteness {
@@ -89,11 +101,11 @@ impl Whiteness {
         let middle = mean(&log);
         let spread = mean(&|q| (log(q) - middle).powi(2));
         match noise_of(rect, geometry, &log, p) {
-            None => Self { whole: 1.0, of_pictures: 1.0 },
+            None => Self { whole: 1.0, of_pictures: 1.0, log_noise: 0.0 },
             Some(noise) => {
                 let whole = smoothstep(STRUCTURE, WHITE_NOISE, noise / spread.max(1e-20));
-                let clear = smoothstep(FAINT_PICTURE, CLEAR_PICTURE, spread - noise);
-                Self { whole, of_pictures: 1.0 + clear * (whole - 1.0) }
+                let clear = smoothstep(FAINT, CLEAR, spread - noise);
+                Self { whole, of_pictures: 1.0 + clear * (whole - 1.0), log_noise: noise }
             }
         }
     }
@@ -120,7 +132,7 @@ pub(super) fn deviation_of_filled_mean(
 fn deviation(tuning: &Tuning, centre: LuminanceHistory, around: Surroundings) -> Estimated {
     let frames = (centre.history_length / tuning.sample_frames).max(1.0);
     let share = (tuning.spatial_variance_frames / frames).min(1.0);
-    let spatial = (around.within + around.noise) * share * (1.0 + DOUBT * around.doubt / frames);
+    let spatial = (around.within + around.noise) * share * (1.0 + around.doubt() / frames);
     let of_sample = share * spatial + (1.0 - share) * centre.deviation * centre.deviation;
     let averaging = (1.0 / frames).max(tuning.sample_frames * tuning.alpha / (2.0 - tuning.alpha)).min(1.0);
     let (known, seen) = (of_sample * averaging, SEEN_NOISE * around.seen);
@@ -144,7 +156,8 @@ fn surroundings(
     let mean = mean_of(&|m| m.mean);
     let spread = mean_of(&|m| (m.mean - mean).powi(2));
     let kurtosis = mean_of(&|m| (m.mean - mean).powi(4)) / (spread * spread).max(1e-36);
-    Surroundings { within, noise: spread, seen: spread, doubt: ((kurtosis - 1.0).max(0.0) / sum).sqrt() }
+    let error = ((kurtosis - 1.0).max(0.0) / sum).sqrt();
+    Surroundings { within, noise: spread, seen: spread, error, log_noise: 0.0 }
 }
 
 /// Variance that bends, by the squared second differences of neighbours along x and y, all of the surface of the centre; none where there

@@ -103,6 +103,17 @@ fn a_variance_that_few_pixels_tell_is_in_doubt() {
 }
 
 #[test]
+fn a_window_with_a_single_lit_pixel_says_next_to_nothing() {
+    let of_lit = |dark: f32| {
+        let lit = paint(EXTENT, |x, y| of(if x % 5 == 0 && y % 5 == 0 { dark + 5.0 } else { dark }, 0.0, 1.0));
+        root_mean_square(&deviations(&flat(), &lit))
+    };
+    // The same outlier above light that is there anyway is no rare light.
+    let (rare, faint) = (of_lit(0.0), of_lit(50.0));
+    assert!(rare > 2.0 * faint, "{rare}, {faint}");
+}
+
+#[test]
 fn another_surface_says_nothing() {
     let edge = guides(EXTENT, |x, _| surface(if x < 24 { 4.0 } else { 9.0 }));
     let luminance_history = paint(EXTENT, |x, y| of(if x >= 24 && (x + y) % 2 == 0 { 100.0 } else { 0.0 }, 0.0, 1.0));
