@@ -131,7 +131,7 @@ step cargo fmt --all --check
 step rustfmt --edition 2021 --check src/nodes/*/mod.rs
 step cargo clippy --package atrous --quiet -- -D warnings
 # Also proves that the checked-in SPIR-V was made from this GLSL, and that no C++ toolchain is needed with it.
-step cargo clippy --package atrous --no-default-features --lib --example host_ash --quiet -- -D warnings
+step cargo clippy --package atrous-synthetic --example host_without_features --quiet -- -D warnings
 step cargo clippy --package atrous --no-default-features --features capture --lib --quiet -- -D warnings
 # The compiler of these builds is clippy's: a run of `cargo clippy` would build every dependency once more.
 tests=(env RUSTC_WORKSPACE_WRAPPER="$(rustc --print sysroot)/bin/clippy-driver" CLIPPY_ARGS=-Dwarnings

@@ -64,7 +64,11 @@ impl<T: Clone> Image<T> {
 
     /// Every texel mapped.
     pub fn map<U: Clone>(&self, f: impl Fn(&T) -> U) -> Image<U> {
-        Image { extent: self.extent, texels: self.texels.iter().map(f).collect() }
+        // Compiled once for two types of texels, and not for each function between them.
+        fn mapped<T, U>(texels: &[T], f: &dyn Fn(&T) -> U) -> Vec<U> {
+            texels.iter().map(f).collect()
+        }
+        Image { extent: self.extent, texels: mapped(&self.texels, &f) }
     }
 }
 
@@ -80,11 +84,16 @@ impl<T: Clone + Default + Send> Image<T> {
     /// pixel, so the number of threads cannot change the result.
     pub(crate) fn compute(extent: [u32; 2], render_extent: [u32; 2], f: impl Fn(IVec2) -> T + Sync) -> Self {
         let mut image = Self::new(extent, T::default());
-        let (stride, width, height) =
-            (extent[0] as usize, render_extent[0].min(extent[0]) as usize, render_extent[1].min(extent[1]));
-        let height = height as usize;
+        image.fill(render_extent, &f);
+        image
+    }
+
+    /// Compiled once for a type of texels, and not for each function of them.
+    fn fill(&mut self, render_extent: [u32; 2], f: &(dyn Fn(IVec2) -> T + Sync)) {
+        let [stride, width, height] =
+            [self.extent[0], render_extent[0].min(self.extent[0]), render_extent[1].min(self.extent[1])].map(|n| n as usize);
         if width == 0 || height == 0 {
-            return image;
+            return;
         }
         let threads = match thread::available_parallelism() {
             Ok(threads) if width * height >= PIXELS_WORTH_THREADS => threads.get(),
@@ -98,10 +107,10 @@ impl<T: Clone + Default + Send> Image<T> {
                 }
             }
         };
-        let (rows, _) = image.texels.split_at_mut(stride * height);
+        let (rows, _) = self.texels.split_at_mut(stride * height);
         if threads == 1 {
             fill(0, rows);
-            return image;
+            return;
         }
         thread::scope(|scope| {
             for (i, band) in rows.chunks_mut(rows_each * stride).enumerate() {
@@ -109,7 +118,6 @@ impl<T: Clone + Default + Send> Image<T> {
                 scope.spawn(move || fill(i * rows_each, band));
             }
         });
-        image
     }
 }
 

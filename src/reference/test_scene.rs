@@ -68,8 +68,17 @@ pub(crate) fn guides(extent: [u32; 2], surfaces: impl Fn(i32, i32) -> Surface) -
 }
 
 pub(crate) fn paint<T: Clone>(extent: [u32; 2], f: impl Fn(i32, i32) -> T) -> Image<T> {
-    let positions = (0..extent[1] as i32).flat_map(|y| (0..extent[0] as i32).map(move |x| (x, y)));
-    Image::from_texels(extent, positions.map(|(x, y)| f(x, y)).collect()).expect("as many texels as pixels")
+    // Compiled once for a type of texels: hundreds of closures are painted.
+    fn texels<T>(extent: [u32; 2], f: &dyn Fn(i32, i32) -> T) -> Vec<T> {
+        let mut texels = Vec::new();
+        for y in 0..extent[1] as i32 {
+            for x in 0..extent[0] as i32 {
+                texels.push(f(x, y));
+            }
+        }
+        texels
+    }
+    Image::from_texels(extent, texels(extent, &f)).expect("as many texels as pixels")
 }
 
 /// Uniform in 0..1, grey, independent between pixels and seeds.

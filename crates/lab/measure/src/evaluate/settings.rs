@@ -43,7 +43,7 @@ pub struct EvaluateOptions {
     /// Frames at the end of the animation that are measured; default: 8, with --quick 4
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..))]
     measured: Option<u32>,
-    /// Paths per pixel of a reference, in two halves with independent noise; default: 128, with --quick 64
+    /// Paths per pixel of a reference, in two halves with independent noise; default: 128, with --quick 32
     #[arg(long, value_parser = clap::value_parser!(u32).range(2..))]
     reference_spp: Option<u32>,
     /// Folder for references, results, and the page
@@ -127,7 +127,7 @@ impl EvaluateOptions {
             size: self.size.unwrap_or(if self.quick { [128, 72] } else { [320, 180] }),
             frames,
             measured,
-            reference_spp: of(self.reference_spp, 128, 64),
+            reference_spp: of(self.reference_spp, 128, 32),
             filters: self.filters(),
             seed: self.seed,
             noise: self.noise,
