@@ -142,7 +142,7 @@ struct Surroundings {
     float within;  // variance of the samples that a mean was made of; less where a clear picture is
     float noise;   // variance of the means, without what is smooth, and less likewise
     float seen;    // of that noise, without edges and textures
-    float doubt;   // share that a variance which was seen in so few pixels is wider by
+    float doubt;   // how much wider that variance is, as a share of it, since few pixels tell it
 };
 
 // How far neighbours differ as noise does and not as a picture, 0 to 1: in all, and where the picture is a clear one alone. Told by logarithms, in

@@ -9,8 +9,7 @@ use glam::IVec2;
 #[cfg(test)]
 mod tests;
 
-/// How much wider a variance is that is in doubt, and that of rare light: a window that has a single pixel of it says
-/// next to nothing.
+/// How much wider a variance is that is in doubt, and that of rare light: a window that has a single pixel of it says next to nothing.
 const DOUBT: f32 = 3.0;
 const RARE_DOUBT: f32 = 24.0;
 
@@ -50,7 +49,7 @@ struct Surroundings {
 }
 
 impl Surroundings {
-    /// Share that the variance is wider by.
+    /// How much wider the variance is, as a share of it, since few pixels tell it.
     fn doubt(&self) -> f32 {
         let rare = self.error.min(1.0) * smoothstep(FAINT, CLEAR, self.log_noise);
         DOUBT * self.error + RARE_DOUBT * rare.powi(8)
