@@ -117,7 +117,7 @@ void main() {
             float z_q = guide_depth(packed_q);
             float exponent = squared(n - guide_normal_steps(packed_q)) * level.inverse_sigma_normal;
             exponent += squared((x - view_position(tap, z_q)) * level.inverse_sigma_position);
-            exponent = background ? 0.0 : guide_is_dark(packed_q) == guide_is_dark(packed) ? exponent : REFUSED;
+            exponent = background ? 0.0 : guide_is_apart(packed_q) == guide_is_apart(packed) ? exponent : REFUSED;
             float kernel = q == tap && (z_q == 0.0) == background ? KERNEL[abs(i)] * KERNEL[abs(j)] : 0.0;
             add_tap(sum_0, imageLoad(input_0, tap), centre_0, exponent, kernel, background ? 0.0 : level.inverse_sigma_radiance);
 #if SIGNALS == 2

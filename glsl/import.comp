@@ -92,9 +92,9 @@ void main() {
     moved.motion *= side;
     uvec4 packed_motion = pack_surface_motion(moved);
     imageStore(surface_motion, to, background ? uvec4(packed_motion.xy, 0u, 0u) : packed_motion);
-    bool dark = is_present(ALBEDO) && is_dark(texelFetch(albedo, host_pixel(ALBEDO, p), 0).rgb);
+    bool apart = is_present(ALBEDO) && is_apart(texelFetch(albedo, host_pixel(ALBEDO, p), 0).rgb);
     vec2 gradient = vec2(gradient_along(p, ivec2(1, 0), z, id), gradient_along(p, ivec2(0, 1), z, id)) * vec2(frame.light_ratio);
-    imageStore(guide, to, background ? uvec4(0u) : pack_guide(Guide(z, dark, n, gradient, fold_id(id))).bits);
+    imageStore(guide, to, background ? uvec4(0u) : pack_guide(Guide(z, apart, n, gradient, fold_id(id))).bits);
 #if OBJECT_NORMALS
     vec3 o = texelFetch(object_normal, host_pixel(OBJECT_NORMAL, p), 0).xyz;
     float squared = dot(o, o);

@@ -43,6 +43,6 @@ void main() {
     float z = depth_of(texelFetch(depth, host_pixel(DEPTH, p), 0).x, id, p);
     bool bad;
     vec3 n = world_normal(p, bad);
-    bool dark = is_present(ALBEDO) && is_dark(texelFetch(albedo, host_pixel(ALBEDO, p), 0).rgb);
-    imageStore(rendered_guide, p, z == 0.0 ? uvec4(0u) : pack_guide(Guide(z, dark, n, vec2(0.0), fold_id(id))).bits);
+    bool apart = is_present(ALBEDO) && is_apart(texelFetch(albedo, host_pixel(ALBEDO, p), 0).rgb);
+    imageStore(rendered_guide, p, z == 0.0 ? uvec4(0u) : pack_guide(Guide(z, apart, n, vec2(0.0), fold_id(id))).bits);
 }

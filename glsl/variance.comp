@@ -166,6 +166,8 @@ float doubt_of(float error, float log_noise) {
 
 // White noise bends by six times its variance.
 const float BEND_OF_NOISE = 6.0;
+// The least weight of all bends together that tell something: on a small ball the normals of three pixels differ, and its shading is no noise.
+const float LEAST_BENDS = 0.05;
 
 // `luminances`: with the deviations of samples.
 Surroundings surroundings_of(vec2 luminances[PIXELS], float weights[PIXELS]) {
@@ -202,7 +204,7 @@ Surroundings surroundings_of(vec2 luminances[PIXELS], float weights[PIXELS]) {
     spreads /= sum;
     float error = sqrt(max(fourth / max(sum * spreads.x * spreads.x, 1e-36) - 1.0, 0.0) / sum);
     if (FILLED) return Surroundings(within, FILLED_NOISE * spreads.x, FILLED_NOISE * spreads.x, doubt_of(error, 0.0));
-    if (triples <= 0.5) return Surroundings(within, spreads.x, spreads.x, doubt_of(error, 0.0));
+    if (triples <= LEAST_BENDS) return Surroundings(within, spreads.x, spreads.x, doubt_of(error, 0.0));
     bends /= BEND_OF_NOISE * triples;
     vec2 white = whiteness(spreads.y, bends.y);
     float noise = min(spreads.x, bends.x);

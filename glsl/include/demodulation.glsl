@@ -21,8 +21,8 @@ float darkness_of(vec3 reflectance) {
     return 1.0 - min(max(reflectance.r, max(reflectance.g, reflectance.b)) / DARK_ALBEDO, 1.0);
 }
 
-// Whether an albedo divides so little that its light is kept apart from all other.
-bool is_dark(vec3 albedo) { return darkness_of(reflectance_of(albedo)) > 0.5; }
+// Whether light is kept apart from all other: its albedo divides next to nothing, or is unknown.
+bool is_apart(vec3 albedo) { return !is_finite(albedo) || darkness_of(reflectance_of(albedo)) > 0.5; }
 
 // The divisor of radiance, with which it is multiplied again.
 vec3 divisor_of(vec3 albedo) {

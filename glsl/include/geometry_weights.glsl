@@ -14,7 +14,7 @@ const float LOG2_E = 1.4426950;
 // What the surface in the centre of a window is compared with, and how much less a tap weighs, in powers of 2.
 struct EdgeCentre {
     float depth;
-    float side;             // -1: dark, else 1
+    float side;             // -1: kept apart, else 1
     vec3 normal;            // in steps
     vec2 gradient;          // of depth, scene units per pixel
     float normal_sharpness; // per squared step
@@ -23,7 +23,7 @@ struct EdgeCentre {
 EdgeCentre edge_centre(GuideBits packed) {
     EdgeCentre centre;
     centre.depth = guide_depth(packed);
-    centre.side = guide_is_dark(packed) ? -1.0 : 1.0;
+    centre.side = guide_is_apart(packed) ? -1.0 : 1.0;
     centre.normal = guide_normal_steps(packed);
     centre.gradient = guide_gradient(packed);
     centre.normal_sharpness = LOG2_E * push.sigma_n * (0.5 / (NORMAL_STEPS * NORMAL_STEPS));

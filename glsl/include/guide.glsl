@@ -9,7 +9,7 @@ struct GuideBits {
 
 struct Guide {
     float linear_depth;  // scene units; 0: background
-    bool is_dark;        // the albedo divides little or nothing of the light
+    bool is_apart;       // takes no light from surfaces that are not: the albedo is dark or unknown
     vec3 normal;         // world space
     vec2 gradient;       // of the depth, scene units per pixel
     uint id8;            // folded surface_id
@@ -63,7 +63,7 @@ const float DEPTH_SCALE = 79228162514264337593543950336.0;
 const float LEAST_GUIDE_DEPTH = 1.0 / 1073741824.0;
 const float LARGEST_GUIDE_DEPTH = 4294967296.0;
 const uint DEPTH_BITS = 0x1ffff800u;
-const uint DARK_BIT = 0x80000000u;
+const uint APART_BIT = 0x80000000u;
 
 // The gradient of depth takes what the depth leaves, as a direction on a diamond, for which axes are exact, and the sum of its components over
 // the depth: taps on the plane of a surface ask how the two relate, more than how large they are.
@@ -88,7 +88,7 @@ vec2 unpack_gradient(uint code, float linear_depth) {
 
 GuideBits pack_guide(Guide g) {
     float linear_depth = clamp(g.linear_depth, LEAST_GUIDE_DEPTH, LARGEST_GUIDE_DEPTH);
-    uint depth = floatBitsToUint(linear_depth) - DEPTH_EXPONENT + 0x400u & DEPTH_BITS | (g.is_dark ? DARK_BIT : 0u);
+    uint depth = floatBitsToUint(linear_depth) - DEPTH_EXPONENT + 0x400u & DEPTH_BITS | (g.is_apart ? APART_BIT : 0u);
     uint gradient = pack_gradient(g.gradient, linear_depth);
     uint word = depth | gradient & 0x7ffu | gradient >> 11 << 29;
     uvec3 n = uvec3(floor(g.normal * NORMAL_STEPS + (NORMAL_STEPS + 0.5)));
@@ -96,8 +96,8 @@ GuideBits pack_guide(Guide g) {
 }
 
 uint guide_word(GuideBits packed) { return packed.bits.x | packed.bits.y << 16; }
-// Negative where the albedo is dark, 0 in the background; else of a size that says nothing.
-float guide_side(GuideBits packed) { return uintBitsToFloat(guide_word(packed) & (DEPTH_BITS | DARK_BIT)); }
+// Negative where light is kept apart, 0 in the background; else of a size that says nothing.
+float guide_side(GuideBits packed) { return uintBitsToFloat(guide_word(packed) & (DEPTH_BITS | APART_BIT)); }
 float signed_guide_depth(GuideBits packed) { return guide_side(packed) * DEPTH_SCALE; }
 float guide_depth(GuideBits packed) { return abs(signed_guide_depth(packed)); }
 // Scene units per pixel.
@@ -106,7 +106,7 @@ vec2 guide_gradient(GuideBits packed) {
     return unpack_gradient(word & 0x7ffu | (word >> 29 & 3u) << 11, guide_depth(packed));
 }
 uint guide_id(GuideBits packed) { return packed.bits.w >> 8; }
-bool guide_is_dark(GuideBits packed) { return packed.bits.y >= 0x8000u; }
+bool guide_is_apart(GuideBits packed) { return packed.bits.y >= 0x8000u; }
 
 // The normal in steps, from 0 to twice NORMAL_STEPS: what differences of normals are made of.
 vec3 guide_normal_steps(GuideBits packed) {

@@ -16,13 +16,13 @@ struct Expected {
     vec3 normal;
     float normal_tolerance;
     uint id8;
-    bool is_dark;
+    bool is_apart;
 };
 
 Expected expected_surface(GuideBits packed, SurfaceMotion m, vec2 gradient, vec3 normal) {
     float previous_z = guide_depth(packed) * (1.0 + m.depth_ratio);
     float tolerance = push.depth_tolerance * previous_z + abs(gradient.x) + abs(gradient.y);
-    return Expected(previous_z, tolerance, gradient, normal, push.normal_tolerance, guide_id(packed), guide_is_dark(packed));
+    return Expected(previous_z, tolerance, gradient, normal, push.normal_tolerance, guide_id(packed), guide_is_apart(packed));
 }
 
 // With factors of the tolerated differences of depth and of 1 - cosine of normals.
@@ -36,7 +36,7 @@ Expected with_tolerances(Expected expected, float depth, float normal) {
 // lies aside.
 uint surface_refusal(GuideBits packed, Expected expected, float slack) {
     float z = guide_depth(packed);
-    bool other = guide_id(packed) != expected.id8 || guide_is_dark(packed) != expected.is_dark;
+    bool other = guide_id(packed) != expected.id8 || guide_is_apart(packed) != expected.is_apart;
     if (z == 0.0 || other) return REASON_ID;
     return !(abs(z - expected.depth) <= expected.depth_tolerance + slack) ? REASON_DEPTH : REASON_NONE;
 }

@@ -46,7 +46,7 @@ Centre centre_at(ivec2 p, vec2 middle) {
     Centre c;
     c.packed = packed;
     c.depth = guide_depth(packed);
-    c.side = guide_is_dark(packed) ? -1.0 : 1.0;
+    c.side = guide_is_apart(packed) ? -1.0 : 1.0;
     c.steps = guide_normal_steps(packed);
     c.normal = (c.steps / NORMAL_STEPS - 1.0) * mat3(frame.world_from_view);
     c.position = view_position(p, c.depth);

@@ -219,7 +219,7 @@ impl Reading {
             Self::Guide => {
                 let s = unpack_guide(texel);
                 let [x, y, z] = s.normal;
-                padded([s.linear_depth, x, y, z, s.id.into(), s.is_dark.into()])
+                padded([s.linear_depth, x, y, z, s.id.into(), s.is_apart.into()])
             }
             Self::GuideGradient => {
                 let s = unpack_guide(texel);

@@ -105,7 +105,7 @@ impl Geometry {
             return 0.0;
         }
         match self.edges(p) {
-            Edges::Surface { .. } if at_p.is_dark != at_q.is_dark => 0.0,
+            Edges::Surface { .. } if at_p.is_apart != at_q.is_apart => 0.0,
             Edges::Surface { sigma_z, sigma_n } => {
                 let offset = (q - p).as_vec2();
                 depth_and_normal_weight([sigma_z, sigma_n], &at_p, &at_q, offset)

@@ -7,8 +7,8 @@ use glam::{Vec2, Vec3};
 pub(crate) struct Surface {
     /// View-space depth along the view axis, positive, scene units, kept with a mantissa of 12 bits, from 2⁻³⁰ to 2³²; 0 is the background.
     pub linear_depth: f32,
-    /// Whether the albedo is too dark to divide the light by.
-    pub is_dark: bool,
+    /// Whether its light is kept apart from that of other surfaces: the albedo is too dark to divide by, or not finite.
+    pub is_apart: bool,
     /// World-space normal, of unit length but for its steps of 1/127.
     pub normal: [f32; 3],
     /// Of the depth, scene units per pixel along x and y; kept as a direction and a length, each in steps.
@@ -49,7 +49,7 @@ const DEPTH_EXPONENT: u32 = 96 << 23;
 const LEAST_DEPTH: f32 = 1.0 / (1 << 30) as f32;
 const LARGEST_DEPTH: f32 = (1u64 << 32) as f32;
 const DEPTH_BITS: u32 = 0x1fff_f800;
-const DARK_BIT: u32 = 1 << 31;
+const APART_BIT: u32 = 1 << 31;
 
 /// Directions of the gradient on a diamond, for which axes are exact.
 const DIRECTIONS: f32 = 128.0;
@@ -85,7 +85,7 @@ pub(crate) fn pack_guide(surface: &Surface) -> [u16; 4] {
     let linear_depth = surface.linear_depth.clamp(LEAST_DEPTH, LARGEST_DEPTH);
     let depth = (linear_depth.to_bits() - DEPTH_EXPONENT + 0x400) & DEPTH_BITS;
     let gradient = pack_gradient(surface.gradient.into(), linear_depth);
-    let word = depth | u32::from(surface.is_dark) << 31 | gradient & 0x7ff | (gradient >> 11) << 29;
+    let word = depth | u32::from(surface.is_apart) << 31 | gradient & 0x7ff | (gradient >> 11) << 29;
     let [x, y, z] = surface.normal.map(|c| (c * NORMAL_STEPS + NORMAL_STEPS + 0.5).floor() as u16);
     [word as u16, (word >> 16) as u16, x | y << 8, z | u16::from(surface.id) << 8]
 }
@@ -100,7 +100,7 @@ pub(crate) fn unpack_guide(texel: [u16; 4]) -> Surface {
     };
     Surface {
         linear_depth,
-        is_dark: word & DARK_BIT != 0,
+        is_apart: word & APART_BIT != 0,
         normal: steps.map(|steps| (f32::from(steps) - NORMAL_STEPS) / NORMAL_STEPS),
         gradient: unpack_gradient(word & 0x7ff | (word >> 29 & 3) << 11, linear_depth),
         id: (w >> 8) as u8,
@@ -113,9 +113,10 @@ mod tests {
 
     #[test]
     fn a_surface_survives_packing() {
-        let surface = Surface { linear_depth: 12.375, is_dark: false, normal: [0.0, -1.0, 0.0], gradient: [-12.375, 0.0], id: 200 };
-        for is_dark in [false, true] {
-            let surface = Surface { is_dark, ..surface };
+        let surface =
+            Surface { linear_depth: 12.375, is_apart: false, normal: [0.0, -1.0, 0.0], gradient: [-12.375, 0.0], id: 200 };
+        for is_apart in [false, true] {
+            let surface = Surface { is_apart, ..surface };
             assert_eq!(unpack_guide(pack_guide(&surface)), surface);
         }
         assert!(unpack_guide(pack_guide(&Surface { linear_depth: 0.0, ..surface })).is_background());
@@ -124,7 +125,7 @@ mod tests {
 
     #[test]
     fn fields_lie_where_the_specification_puts_them() {
-        let surface = Surface { linear_depth: 1.0, is_dark: true, normal: [1.0, 0.0, 0.0], gradient: [0.0, 0.5], id: 7 };
+        let surface = Surface { linear_depth: 1.0, is_apart: true, normal: [1.0, 0.0, 0.0], gradient: [0.0, 0.5], id: 7 };
         // Exponent 31 and a direction of 32 of 128; 1/2 is 13 powers of 2 above the least slope.
         let (depth, gradient) = (31 << 23, 32 | (13 * 4 + 1) << 7);
         let word: u32 = 1 << 31 | depth | gradient & 0x7ff | (gradient >> 11) << 29;
@@ -136,7 +137,7 @@ mod tests {
         for i in 1..1000 {
             let (linear_depth, angle) = (i as f32 * 1.234_567e-2, i as f32 * 0.1);
             let normal = Vec3::new(angle.sin() * 0.6, angle.cos() * 0.6, 0.8);
-            let surface = Surface { linear_depth, is_dark: i % 2 == 0, normal: normal.into(), gradient: [0.0; 2], id: 1 };
+            let surface = Surface { linear_depth, is_apart: i % 2 == 0, normal: normal.into(), gradient: [0.0; 2], id: 1 };
             let read = unpack_guide(pack_guide(&surface));
             assert!((read.linear_depth / linear_depth - 1.0).abs() < 1.23e-4, "{linear_depth}: {}", read.linear_depth);
             assert!((Vec3::from(read.normal) - normal).abs().max_element() <= 0.501 / NORMAL_STEPS, "{normal}: {:?}", read.normal);

@@ -55,7 +55,7 @@ pub(crate) struct Guides {
 }
 
 pub(crate) fn surface(linear_depth: f32) -> Surface {
-    Surface { linear_depth, is_dark: false, normal: [0.0, 0.0, 1.0], gradient: [0.0; 2], id: 1 }
+    Surface { linear_depth, is_apart: false, normal: [0.0, 0.0, 1.0], gradient: [0.0; 2], id: 1 }
 }
 
 /// `surfaces(x, y)` without motion and with a gradient of 0.

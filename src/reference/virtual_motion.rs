@@ -185,7 +185,7 @@ mod tests {
                 let inside = along * along - square * (middle.length_squared() - RADIUS * RADIUS);
                 let position = sight * ((along - inside.max(0.0).sqrt()) / square);
                 let normal = ((position - MIDDLE) * axes / RADIUS).into();
-                let surface = Surface { linear_depth: -position.z, is_dark: false, normal, gradient: [0.0; 2], id: 1 };
+                let surface = Surface { linear_depth: -position.z, is_apart: false, normal, gradient: [0.0; 2], id: 1 };
                 pack_guide(&if inside > 0.0 { surface } else { Surface::default() })
             });
             Self { frame, guide, axes }
@@ -283,7 +283,7 @@ mod tests {
         for p in PIXELS {
             assert!((mean(p) * RADIUS - 1.0).abs() < 0.1, "{p}: {}", mean(p));
         }
-        let wall = Surface { linear_depth: 4.0, is_dark: false, normal: [0.0, 0.0, 1.0], gradient: [0.0; 2], id: 1 };
+        let wall = Surface { linear_depth: 4.0, is_apart: false, normal: [0.0, 0.0, 1.0], gradient: [0.0; 2], id: 1 };
         let guide = Image::new(EXTENT, pack_guide(&wall));
         let motion = VirtualMotion::new(&round.frame, &guide);
         assert_eq!(motion.curvature(&motion.mirror(IVec2::new(20, 30), [0.0; 2])).mean, 0.0);

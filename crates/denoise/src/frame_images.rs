@@ -49,7 +49,9 @@ impl Channels<'_> {
         let count = bad.iter().filter(|b| **b).count();
         if count > 0 {
             if let Some(white) = role.stand_in() {
-                texels.iter_mut().zip(&bad).filter(|(_, bad)| **bad).for_each(|(texel, _)| *texel = [white; 4]);
+                // The filter takes an albedo that it does not know for white as well, and keeps the light there apart.
+                let value = if role == Role::Albedo { f32::NAN } else { white };
+                texels.iter_mut().zip(&bad).filter(|(_, bad)| **bad).for_each(|(texel, _)| *texel = [value; 4]);
             }
             self.replaced.insert(role, count);
         }

@@ -65,8 +65,13 @@ pub(crate) fn reflectance([r, g, b, _]: [f32; 4]) -> [f32; 3] {
 }
 
 /// How little a reflectance divides: 1 where it is black.
-pub(crate) fn darkness(reflectance: [f32; 3]) -> f32 {
+fn darkness(reflectance: [f32; 3]) -> f32 {
     1.0 - (reflectance.into_iter().fold(0.0, f32::max) / DARK_ALBEDO).min(1.0)
+}
+
+/// Whether light is kept apart from all other: its albedo divides next to nothing, or is unknown.
+pub(crate) fn is_apart(albedo: [f32; 4]) -> bool {
+    albedo[..3].iter().any(|a| !a.is_finite()) || darkness(reflectance(albedo)) > 0.5
 }
 
 /// The divisor of radiance, with which `modulate` multiplies again: the albedo within 0 to 1, 1 for a component that is not finite,

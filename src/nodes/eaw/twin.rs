@@ -91,7 +91,7 @@ fn filtered(frame: &FrameConstants, edges: &Edges, points: &Image<(Surface, Vec3
         }
         let mut exponent = 0.0;
         if !is_background {
-            if tap.is_dark != surface.is_dark {
+            if tap.is_apart != surface.is_apart {
                 exponent = f32::INFINITY;
             }
             let normal = Vec3::from(surface.normal) - Vec3::from(tap.normal);

@@ -1,7 +1,7 @@
 //! The stage `import`: the host's depth, normals and motion into one packed encoding. The only stage that knows the host's
 //! conventions.
 
-use crate::nodes::demodulate::twin::{darkness, reflectance};
+use crate::nodes::demodulate::twin::is_apart;
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
 use crate::reference::conventions::{normal_encoding, normals_are_in_view_space, roughness_channel};
@@ -139,7 +139,7 @@ pub(crate) fn surface_of(
     let roughness = inputs.roughness.map_or(1.0, |r| r.at(p)[roughness_channel(frame)]);
     let surface = Surface {
         linear_depth,
-        is_dark: inputs.albedo.is_some_and(|albedo| darkness(reflectance(albedo.at(p))) > 0.5),
+        is_apart: inputs.albedo.is_some_and(|albedo| is_apart(albedo.at(p))),
         normal: normal.to_array(),
         gradient: [0.0; 2],
         // Id 0 is the background's, so that a host without ids has one surface.

@@ -199,7 +199,7 @@ pub(crate) struct Reprojected {
     depth_gradient: Vec2,
     normal: Vec3,
     normal_tolerance: f32,
-    is_dark: bool,
+    is_apart: bool,
     id: u8,
     rect: RenderRect,
 }
@@ -219,7 +219,7 @@ impl Reprojected {
             normal: motion.previous_normal.into(),
             normal_tolerance: tuning.normal_tolerance,
             id: surface.id,
-            is_dark: surface.is_dark,
+            is_apart: surface.is_apart,
             rect: RenderRect::new(frame.previous_render_extent),
         }
     }
@@ -252,7 +252,7 @@ impl Reprojected {
     /// The reason why a pixel that lies aside is not this surface; the depth may have changed by `slack`.
     fn refusal_aside(&self, surfaces: &Image<Surface>, q: IVec2, slack: f32) -> Reason {
         let Some(tap) = surfaces.get(q.x, q.y).filter(|_| self.rect.contains(q)) else { return Reason::OffScreen };
-        if tap.is_background() || tap.id != self.id || tap.is_dark != self.is_dark {
+        if tap.is_background() || tap.id != self.id || tap.is_apart != self.is_apart {
             Reason::Id
         } else if (tap.linear_depth - self.linear_depth).abs() > self.depth_tolerance + slack {
             Reason::Depth

@@ -87,7 +87,7 @@ fn likeness(frame: &FrameConstants, (p, centre): (IVec2, &Surface), (q, tap): (I
     if centre.is_background() {
         return if tap.is_background() { 1.0 + LEAST } else { LEAST };
     }
-    if tap.is_background() || tap.is_dark != centre.is_dark {
+    if tap.is_background() || tap.is_apart != centre.is_apart {
         return LEAST;
     }
     let normal = Vec3::from(centre.normal);
@@ -161,7 +161,7 @@ mod tests {
     #[test]
     fn light_stays_on_its_surface() {
         let turned = Surface { normal: [1.0, 0.0, 0.0], ..surface(4.0) };
-        let dark = Surface { is_dark: true, ..surface(4.0) };
+        let dark = Surface { is_apart: true, ..surface(4.0) };
         for other in [surface(5.0), turned, dark, Surface::default()] {
             for offset in [[0, 0], [1, 0], [0, 1], [1, 1]] {
                 let is_other = |x: i32| x >= 7;
@@ -181,7 +181,7 @@ mod tests {
     fn a_thing_that_no_sample_hit_takes_the_light_around() {
         let is_thin = |x: i32| x == 6;
         let picture =
-            upsampled([1, 0], |x, _| if is_thin(x) { Surface { is_dark: true, ..surface(2.0) } } else { surface(4.0) }, |_| 0.75);
+            upsampled([1, 0], |x, _| if is_thin(x) { Surface { is_apart: true, ..surface(2.0) } } else { surface(4.0) }, |_| 0.75);
         assert!((0..12).all(|y| (picture.at(IVec2::new(6, y))[0] - 0.75).abs() < 1e-3));
     }
 }

@@ -66,6 +66,19 @@ fn a_share_of_the_pixels_keeps_its_samples_and_all_guides() {
 }
 
 #[test]
+fn an_albedo_that_is_not_finite_is_left_to_the_filter() {
+    let mut sample = samples::frame(1);
+    let green = sample.channels.iter_mut().find(|channel| channel.0 == "albedo.G").expect("an albedo");
+    green.2 = Box::new(|x, y| if (x, y) == (4, 0) { f32::NAN } else { 0.5 });
+    let (folder, setup) = setup_of(&sample, &Options::default());
+    let frames = frame_files::find(&[folder.path().to_owned()]).expect("a frame");
+    let inputs = frame::load(&frames[0], &setup.expect("a layout")).expect("a frame");
+    let albedo = &inputs.images["albedo"];
+    assert!(albedo[4].iter().all(|v| v.is_nan()), "{:?}", albedo[4]);
+    assert!(albedo[..4].iter().chain(&albedo[5..]).flatten().all(|v| v.is_finite()));
+}
+
+#[test]
 fn blender() {
     let half = Type::Half;
     let sample = Sample::new(8, 6)

@@ -73,9 +73,9 @@ fn the_background_is_neither_filtered_nor_used() {
 #[test]
 fn light_that_an_albedo_divides_is_kept_from_light_that_none_divides() {
     // As steep as beside an outline, where the gradient explains any depth.
-    let row = filtered(&svgf_tuning(), 1000.0, |_, _| (), |_, s| s.is_dark = true);
+    let row = filtered(&svgf_tuning(), 1000.0, |_, _| (), |_, s| s.is_apart = true);
     assert!(is_kept(&row), "{row:?}");
-    let row = filtered(&svgf_tuning(), 0.0, |_, s| s.is_dark = true, |_, s| s.is_dark = true);
+    let row = filtered(&svgf_tuning(), 0.0, |_, s| s.is_apart = true, |_, s| s.is_apart = true);
     assert!(row[11] > 2.0, "both are dark: {row:?}");
 }
 

@@ -93,7 +93,7 @@ fn background_is_recognised_and_packed_as_zeros() {
 }
 
 #[test]
-fn an_albedo_that_hardly_divides_is_dark() {
+fn light_is_kept_apart_where_an_albedo_hardly_divides_or_is_unknown() {
     let albedos =
         [[0.0; 3], [0.02; 3], [0.03; 3], [0.0, 0.0, 0.5], [-1.0; 3], [7.0; 3], [f32::NAN, 0.0, 0.0], [0.0, f32::INFINITY, 0.0]];
     let extent = [albedos.len() as u32, 1];
@@ -104,10 +104,10 @@ fn an_albedo_that_hardly_divides_is_dark() {
     let (depth, normal) = (Image::new(extent, [3.0, 0.0, 0.0, 0.0]), up(extent));
     let inputs = ImportInputs::new(&depth, &normal);
     let imported = import(&frame(extent), &ImportInputs { albedo: Some(&albedo), ..inputs });
-    let dark: Vec<bool> = imported.guide.texels().iter().map(|texel| unpack_guide(*texel).is_dark).collect();
-    assert_eq!(dark, [true, true, false, false, true, false, false, false]);
+    let apart: Vec<bool> = imported.guide.texels().iter().map(|texel| unpack_guide(*texel).is_apart).collect();
+    assert_eq!(apart, [true, true, false, false, true, false, true, true]);
     assert!(imported.guide.texels().iter().all(|texel| unpack_guide(*texel).linear_depth == 3.0));
-    assert!(import(&frame(extent), &inputs).guide.texels().iter().all(|texel| !unpack_guide(*texel).is_dark));
+    assert!(import(&frame(extent), &inputs).guide.texels().iter().all(|texel| !unpack_guide(*texel).is_apart));
 }
 
 #[test]

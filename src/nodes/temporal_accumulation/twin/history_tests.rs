@@ -124,7 +124,7 @@ fn every_reason_is_told() {
     Scene::new([9.0, 0.0]).assert_none(Reason::OffScreen);
     Scene::new([0.0, -16384.0]).assert_none(Reason::OffScreen);
     Scene::new([0.0, 0.0]).with(|_, _, s| s.id = 2).assert_none(Reason::Id);
-    Scene::new([0.0, 0.0]).with(|_, _, s| s.is_dark = true).assert_none(Reason::Id);
+    Scene::new([0.0, 0.0]).with(|_, _, s| s.is_apart = true).assert_none(Reason::Id);
     Scene::new([0.0, 0.0]).with(|_, _, s| s.linear_depth = 0.0).assert_none(Reason::Id);
     Scene::new([0.0, 0.0]).with(|_, _, s| s.linear_depth = 4.1).assert_none(Reason::Depth);
     Scene::new([0.0, 0.0]).with(|_, _, s| s.normal = [0.6, 0.0, 0.8]).assert_none(Reason::Normal);

@@ -21,6 +21,8 @@ const FILLED_NOISE: f32 = 2.0;
 
 /// White noise bends by six times its variance: `(l₊ − 2l + l₋)²`.
 const BEND_OF_NOISE: f32 = 6.0;
+/// The least weight of all bends together that tell something: on a small ball the normals of three pixels differ, and its shading is no noise.
+const LEAST_BENDS: f32 = 0.05;
 
 /// Shares of a spread of logarithms that bends as noise does: up to the first it is an edge, a texture or a highlight that no guide knows,
 /// from the second on it is noise.
@@ -175,5 +177,5 @@ fn noise_of(rect: RenderRect, geometry: &Geometry, value: &dyn Fn(IVec2) -> f32,
         sum += weight * bend * bend;
         count += weight;
     }
-    (count > 0.5).then(|| sum / count / BEND_OF_NOISE)
+    (count > LEAST_BENDS).then(|| sum / count / BEND_OF_NOISE)
 }

@@ -3,6 +3,7 @@
 use super::*;
 use crate::nodes::variance::twin::Estimate;
 use crate::reference::test_scene::*;
+use crate::reference::Surface;
 
 const EXTENT: [u32; 2] = [48, 48];
 
@@ -52,6 +53,21 @@ fn what_is_smooth_is_no_noise() {
     assert!(deviations(&flat(), &slope).iter().all(|deviation| *deviation < 1e-4));
     let rough = paint(EXTENT, |x, y| of(((x * 7 + y * 3) % 5) as f32, 0.0, 8.0));
     assert!(deviations(&flat(), &rough).iter().all(|deviation| *deviation > 0.5));
+}
+
+#[test]
+fn the_shading_of_a_small_ball_is_no_noise() {
+    let normal_at = |x: i32, y: i32| {
+        let side = IVec2::new(x - 24, y - 24).as_vec2() / 9.0;
+        (side.length_squared() < 1.0).then(|| side.extend((1.0 - side.length_squared()).sqrt()))
+    };
+    let ball = guides(EXTENT, |x, y| match normal_at(x, y) {
+        Some(normal) => Surface { normal: normal.into(), ..surface(4.0) },
+        None => Surface::default(),
+    });
+    let shaded = paint(EXTENT, |x, y| of(normal_at(x, y).map_or(0.0, |n| 1.0 + n.x), 0.0, 1.0));
+    let widest = deviations(&ball, &shaded).into_iter().fold(0.0, f32::max);
+    assert!(widest < 0.05, "{widest}");
 }
 
 #[test]
