@@ -95,8 +95,19 @@ impl Geometry {
     }
 
     /// `w_z·w_n` \[SVGF eq. 3, 4\] of a pixel `q` inside the image for the surface pixel `p`; 1 for `q = p`, 0 for the
-    /// background, and for a surface too dark to divide light by where `p` is none, or the other way round.
+    /// background, and for a surface whose light is kept apart where that of `p` is not, or the other way round.
     pub(crate) fn weight(&self, p: IVec2, q: IVec2) -> f32 {
+        let is_alike =
+            matches!(self.edges(p), Edges::Volume { .. }) || self.surfaces.at(p).is_apart == self.surfaces.at(q).is_apart;
+        if is_alike {
+            self.weight_of_shape(p, q)
+        } else {
+            0.0
+        }
+    }
+
+    /// The same, whatever the albedo of either: for what is no light of a surface, such as its visibility.
+    pub(crate) fn weight_of_shape(&self, p: IVec2, q: IVec2) -> f32 {
         if p == q {
             return 1.0;
         }
@@ -105,7 +116,6 @@ impl Geometry {
             return 0.0;
         }
         match self.edges(p) {
-            Edges::Surface { .. } if at_p.is_apart != at_q.is_apart => 0.0,
             Edges::Surface { sigma_z, sigma_n } => {
                 let offset = (q - p).as_vec2();
                 depth_and_normal_weight([sigma_z, sigma_n], &at_p, &at_q, offset)

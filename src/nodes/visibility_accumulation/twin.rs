@@ -203,7 +203,7 @@ impl Surroundings<'_> {
         self.rect.window(self.p, 2, step).filter(|(_, q)| !self.geometry.is_background(*q)).filter_map(move |(offset, q)| {
             let Sample { visibility, distance, .. } = self.samples.at(q);
             let squared = self.ruler.squared((offset * step).as_vec2());
-            Some(Tap { q, squared, weight: self.geometry.weight(self.p, q), visibility: visibility?, distance })
+            Some(Tap { q, squared, weight: self.geometry.weight_of_shape(self.p, q), visibility: visibility?, distance })
         })
     }
 

@@ -68,7 +68,7 @@ pub(crate) fn visibility_filter(
         let taps = || rect.window(p, 2, 1 << level).filter(|(_, q)| !geometry.is_background(*q));
         let (v, sigma) = estimate;
         let rise = |q: IVec2| (0..3).map(|c| inputs.estimate.at(q).0[c] - v[c]).sum::<f32>() / 3.0;
-        let slope: Vec2 = taps().map(|(o, q)| o.as_vec2() * geometry.weight(p, q) * rise(q)).sum();
+        let slope: Vec2 = taps().map(|(o, q)| o.as_vec2() * geometry.weight_of_shape(p, q) * rise(q)).sum();
         let light = if level < ALONG_LEVELS && slope.length_squared() > 1e-6 { slope.normalize() } else { Vec2::ZERO };
         let kernel = Kernel { ruler, light, variance: variance.max(1e-6), full: 4_f32.powi(level as i32) };
         let tolerance = tuning.visibility_sigma * sigma + VISIBILITY_EPSILON;
@@ -80,7 +80,7 @@ pub(crate) fn visibility_filter(
                 true => 1.0,
                 false => (-kernel.way(offset * (1 << level)) - difference / tolerance).exp(),
             };
-            let weight = near * geometry.weight(p, q);
+            let weight = near * geometry.weight_of_shape(p, q);
             sum = each(|c| sum[c] + weight * v_q[c]);
             squares += weight * weight * sigma_q * sigma_q;
             weights += weight;

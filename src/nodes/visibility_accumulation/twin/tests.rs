@@ -4,7 +4,7 @@ use super::*;
 use crate::nodes::visibility_samples::twin::visibility_samples;
 use crate::reference::test_scene::*;
 use crate::reference::visibility::{halves, unpack_visibility};
-use crate::reference::{pack_surface_motion, InstanceTransform};
+use crate::reference::{pack_surface_motion, InstanceTransform, Surface};
 use crate::FrameParams;
 
 const EXTENT: [u32; 2] = [24, 24];
@@ -81,6 +81,14 @@ fn a_mean_converges_to_the_visibility() {
     let middle = last.at(IVec2::new(12, 8));
     assert_eq!(middle.history_length, 60.0);
     assert!((middle.deviation - 0.5).abs() < 0.1 && (middle.occluder_distance / 12.0 - 1.0).abs() < 0.1, "{middle:?}");
+}
+
+#[test]
+fn a_shadow_takes_no_notice_of_the_albedo() {
+    let chequers = guides(EXTENT, |x, y| Surface { is_apart: (x + y) % 2 == 0, ..surface(1.0) });
+    let [plain, chequered] = [Sequence::new(), Sequence { guides: chequers, ..Sequence::new() }]
+        .map(|mut sequence| (0..2).map(|i| sequence.frame(&edge(12.0, 6.0, i))).last());
+    assert!(plain.expect("a frame").texels() == chequered.expect("a frame").texels());
 }
 
 #[test]
