@@ -62,18 +62,8 @@ use atrous_harness::Group;
 #[global_allocator]
 static ALLOCATOR: allocation::Counting = allocation::Counting;
 
-/// Hundreds of shaders run for a few small frames each, so software Vulkan compiles them for much longer than it runs them. Without its
-/// optimiser, and with short vectors, a cold suite takes half the time, and has the same bits.
-fn compile_quickly() {
-    for (name, value) in [("GALLIVM_PERF", "nopt"), ("LP_NATIVE_VECTOR_WIDTH", "128")] {
-        if std::env::var_os(name).is_none() {
-            std::env::set_var(name, value);
-        }
-    }
-}
-
 fn main() {
-    compile_quickly();
+    atrous_harness::compile_shaders_quickly();
     if let Some(code) = hosts::run_as_host() {
         std::process::exit(code);
     }

@@ -47,6 +47,17 @@ pub struct Need {
 /// A Vulkan device.
 pub const DEVICE: Need = Need { tests: "GPU tests", required_by: "ATROUS_REQUIRE_DEVICE" };
 
+/// Environment of a program that runs many shaders for a few small frames each: software Vulkan compiles them for much longer than it runs
+/// them. Without its optimiser, and with short vectors, that takes half the time, and has the same bits. Yours stays.
+pub fn quick_shaders() -> impl Iterator<Item = (&'static str, &'static str)> {
+    [("GALLIVM_PERF", "nopt"), ("LP_NATIVE_VECTOR_WIDTH", "128")].into_iter().filter(|(name, _)| std::env::var_os(name).is_none())
+}
+
+/// The same for this program, before it starts a thread.
+pub fn compile_shaders_quickly() {
+    quick_shaders().for_each(|(name, value)| std::env::set_var(name, value));
+}
+
 /// Threads that tests run on.
 pub fn threads() -> usize {
     // A frame keeps every core busy on a software device: more threads than two only cost memory.

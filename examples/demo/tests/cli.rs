@@ -7,7 +7,7 @@ use atrous_engine::testing::Validated;
 
 fn demo(arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_atrous-demo"));
-    command.args(arguments);
+    command.args(arguments).envs(atrous_harness::quick_shaders());
     command
 }
 

@@ -14,6 +14,7 @@ fn evaluate(out: &Path, arguments: &[&str]) -> Output {
 fn measuring(frames: u32, out: &Path, arguments: &[&str]) -> Output {
     let small = ["evaluate", "--size", "48x27", "--frames", "4", "--reference-spp", "4", "--validate", "--out"];
     let mut command = Command::new(env!("CARGO_BIN_EXE_atrous-demo"));
+    command.envs(atrous_harness::quick_shaders());
     command.args(small).arg(out).args(["--measured", &frames.to_string()]).args(arguments).output().expect("the demo starts")
 }
 

@@ -8,6 +8,7 @@ mod support;
 use atrous_harness::Group;
 
 fn main() {
+    atrous_harness::compile_shaders_quickly();
     let tests = |tests| Group { name: "", tests, needs_device: true };
     let groups = [tests(replay::TESTS), tests(host_images::TESTS), tests(failures::TESTS)];
     atrous_harness::run_apart(&[failures::TESTS[0].0], &groups, &support::try_gpu());

@@ -30,7 +30,9 @@ fn main() {
 const NO_STATISTICS: i32 = 3;
 
 fn bench() -> Command {
-    Command::new(env!("CARGO_BIN_EXE_bench"))
+    let mut command = Command::new(env!("CARGO_BIN_EXE_bench"));
+    command.envs(atrous_harness::quick_shaders());
+    command
 }
 
 fn text(bytes: &[u8]) -> String {

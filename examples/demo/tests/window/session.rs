@@ -102,6 +102,7 @@ impl Demo {
             .arg("--window-log")
             .arg(&log)
             .env("DISPLAY", &display.name)
+            .envs(atrous_harness::quick_shaders())
             .env_remove("WAYLAND_DISPLAY")
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())
