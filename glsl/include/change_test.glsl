@@ -42,6 +42,27 @@ float errors_of(float sum, float variance, float brighter) {
     return abs(sum) / max(sqrt(variance + floor_of_error * floor_of_error), 1e-6);
 }
 
+float middle_of(float a, float b, float c) { return max(min(a, b), min(max(a, b), c)); }
+
+// The median of nine numbers: columns first.
+float median_of(mat3 rows) {
+    vec3 upper = min(rows[0], rows[1]), lower = max(rows[0], rows[1]);
+    vec3 least = min(upper, rows[2]), middle = max(upper, min(lower, rows[2])), most = max(lower, rows[2]);
+    return middle_of(max(least.x, max(least.y, least.z)), middle_of(middle.x, middle.y, middle.z), min(most.x, min(most.y, most.z)));
+}
+
+// Standard deviation of normal noise over the median of its sizes.
+const float DEVIATION_BY_MEDIAN = 1.4826;
+
+vec3 means_from(uint block) { return vec3(blocks[block].mean, blocks[block + 1u].mean, blocks[block + 2u].mean); }
+
+// Of the means of 3x3 blocks. Medians, so that an edge that moves through three of them is no noise of all.
+float spread_from(uint corner) {
+    mat3 means = mat3(means_from(corner), means_from(corner + WIDTH), means_from(corner + 2u * WIDTH));
+    vec3 median = vec3(median_of(means));
+    return DEVIATION_BY_MEDIAN * median_of(mat3(abs(means[0] - median), abs(means[1] - median), abs(means[2] - median)));
+}
+
 struct Change {
     float of_mean;       // 0 to 1, over 3x3 blocks, in standard errors, against the threshold
     float of_pixels;     // the same of the differences of the block in the middle, where the noise explains none
@@ -50,11 +71,15 @@ struct Change {
 
 Change change_of(uint corner) {
     float count = 0.0, sum = 0.0, variance = 0.0, brighter = 0.0, worst = 0.0, noise = 0.0, past_noise = 0.0;
+    float squares = 0.0;
+    bool complete = true;
     // Few invocations come here, and where branches are masked instead of skipped only a loop ends.
     [[dont_unroll]] for (uint i = 0u; i < 9u; ++i) {
         BlockDifference block = blocks[corner + i % 3u + WIDTH * (i / 3u)];
         float of_sum = block.count * block.mean, of_variance = block.count * block.deviation * block.deviation;
         float of_brighter = block.count * block.brighter;
+        squares += block.count * block.count;
+        complete = complete && block.count > 0.0;
         count += block.count;
         sum += of_sum;
         variance += of_variance;
@@ -62,6 +87,11 @@ Change change_of(uint corner) {
         noise += block.count * block.noise * block.noise;
         past_noise = max(past_noise, block.past_noise);
         if (wants_steadiness()) worst = max(worst, errors_of(of_sum, of_variance, of_brighter));
+    }
+    if (complete) {
+        // Noise that neighbours share is not averaged within a block.
+        float spread = spread_from(corner);
+        variance = max(variance, squares * spread * spread);
     }
     float errors = errors_of(sum, variance, brighter);
     vec2 mean = push.change_threshold * STEADY_MEAN, block = push.change_threshold * STEADY_BLOCK;

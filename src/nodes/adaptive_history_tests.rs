@@ -126,3 +126,21 @@ fn light_without_noise_loses_the_history_of_what_changed() {
     assert_eq!(confidence(1.0, 0.0), [1.0, 1.0], "noise explains it");
     assert_eq!(confidence(0.0, 1.0), [1.0, 1.0], "rare light explains it, which this frame has none of");
 }
+
+/// Neighbours that share a sample share its noise, which the deviations of single pixels do not show.
+#[test]
+fn noise_that_blocks_have_in_common_is_no_change() {
+    let frame = frame([40, 40]);
+    let tuning = Tuning { change_threshold: 2.5, ..svgf_tuning() };
+    let confidence = |mean_of: &dyn Fn(i32, i32) -> f32| {
+        let difference = paint([5, 5], |x, y| {
+            let (mean, count) = (mean_of(x, y), 64.0);
+            pack_difference(&Difference { mean, deviation: 1.0, count, brighter: 1.0, noise: 0.2, past_noise: 0.2 })
+        });
+        change_test(&frame, &tuning, [40, 40], &[&difference]).history_confidence.at(glam::IVec2::splat(20))
+    };
+    assert_eq!(confidence(&|_, _| 0.5), 0.0, "12 standard errors, of all blocks alike");
+    assert_eq!(confidence(&|x, _| if x % 3 == 0 { 1.5 } else { 0.0 }), 0.0, "the same mean, of an edge");
+    let shared = confidence(&|x, y| 0.5 + 0.5 * ((7 * x + 3 * y).rem_euclid(5) - 2) as f32);
+    assert_eq!(shared, 1.0, "the same mean, of blocks that differ by more");
+}

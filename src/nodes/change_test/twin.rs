@@ -69,13 +69,32 @@ struct Change {
     unsteadiness: f32,
 }
 
+/// Standard deviation of normal noise over the median of its sizes.
+const DEVIATION_BY_MEDIAN: f32 = 1.4826;
+
+fn median_of(mut values: [f32; 9]) -> f32 {
+    values.sort_by(f32::total_cmp);
+    values[4]
+}
+
+/// Of the means of nine blocks. Medians, so that an edge that moves through three of them is no noise of all.
+fn spread_of(means: [f32; 9]) -> f32 {
+    let middle = median_of(means);
+    DEVIATION_BY_MEDIAN * median_of(means.map(|mean| (mean - middle).abs()))
+}
+
 fn change_of(tuning: &Tuning, blocks: Blocks, differences: &Image<[u16; 4]>, block: IVec2) -> Change {
     let (mut pixels, mut sum, mut variance, mut brighter, mut noise) = (0.0, 0.0, 0.0, 0.0, 0.0);
     let (mut past_noise, mut worst) = (0.0_f32, 0.0_f32);
+    let (mut means, mut squares) = (Vec::new(), 0.0);
     for (_, q) in blocks.rect().window(block, 1, 1) {
         let difference = unpack_difference(differences.at(q));
         let of_block =
             [difference.mean, difference.deviation * difference.deviation, difference.brighter].map(|v| difference.count * v);
+        if difference.count > 0.0 {
+            means.push(difference.mean);
+            squares += difference.count * difference.count;
+        }
         pixels += difference.count;
         sum += of_block[0];
         variance += of_block[1];
@@ -83,6 +102,10 @@ fn change_of(tuning: &Tuning, blocks: Blocks, differences: &Image<[u16; 4]>, blo
         noise += difference.count * difference.noise * difference.noise;
         past_noise = past_noise.max(difference.past_noise);
         worst = worst.max(errors(of_block));
+    }
+    if let Ok(means) = <[f32; 9]>::try_from(means) {
+        // Noise that neighbours share is not averaged within a block.
+        variance = variance.max(squares * spread_of(means).powi(2));
     }
     let (k, errors) = (tuning.change_threshold, errors([sum, variance, brighter]));
     let steady = |shares: [f32; 2], errors| 1.0 - lin(shares[0] * k, shares[1] * k, errors);
