@@ -151,7 +151,7 @@ fi
 for features in --no-default-features --features=default; do
     RUSTDOCFLAGS="-D warnings" step cargo doc --package atrous "$features" --no-deps --quiet
 done
-# The window is an example, and what it builds upon is built for nothing else here.
+# Without the example window: what it builds upon would be checked for its pages alone.
 RUSTDOCFLAGS="-D warnings" step cargo doc --workspace --exclude atrous-window --lib --features capture,hot-reload --no-deps --quiet
 echo
 echo "test.sh: all passed, $SECONDS s"
