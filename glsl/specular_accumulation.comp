@@ -161,7 +161,9 @@ const float FEWEST_TELLING = 6.0;
 const float PAST_NOISE = 0.35;
 
 // Of the difference between the reach of a past and that of a pixel, whose own may be chance at an edge.
-const float OWN_DIFFERENCE = 0.25;
+const float OWN_DIFFERENCE = 0.35;
+// Standard deviations of a past that are noise; twice as many are another thing.
+const float NOISE_OF_PAST = 2.0;
 
 // What the past holds at one position.
 struct Past {
@@ -285,10 +287,22 @@ bool is_in_lobe(vec2 position, vec3 thing, float roughness) {
     return dot(difference, difference) <= tolerance * tolerance;
 }
 
+// How sure it is by the light of a pixel that it shows another thing than its past: what differs by little does no harm, and what differs by more
+// than the noise of the past is no chance. Between the two a sample may have met the other side of an outline.
+float sureness_of_own(Centre c, Past past) {
+    vec4 value = texelFetch(noisy, c.mirror.p, 0);
+    if (value.a < 0.0) return 1.0;
+    History light = in_light(past.light, c.origin, vec3(1.0), frame.exposure_ratio);
+    float now = luminance(value.rgb), then = max(luminance(light.irradiance), 0.0), difference = abs(now - then);
+    float beyond = difference * inversesqrt(max(light.second_moment, 1e-12)) / NOISE_OF_PAST - 1.0;
+    return max(1.0 - difference / max(now + then, 1e-6), clamp(beyond, 0.0, 1.0));
+}
+
 // By how much the reach of a past lies outside of what is seen now, or a part of how much it differs from that of the pixel alone, beside what
 // is small for the lobe: another thing is seen there.
-float other_thing(Past past, float here, vec2 reaches, float roughness) {
-    float outside = max(max(reaches.x - past.reach, past.reach - reaches.y), OWN_DIFFERENCE * abs(here - past.reach));
+float other_thing(Centre c, Past past, float here, vec2 reaches, float roughness) {
+    float own = OWN_DIFFERENCE * sureness_of_own(c, past) * abs(here - past.reach);
+    float outside = max(max(reaches.x - past.reach, past.reach - reaches.y), own);
     return max(outside, 0.0) * mirror_share(roughness) / (0.05 + lobe_width(roughness));
 }
 
@@ -510,8 +524,8 @@ Past best_past(Centre c, float roughness, float explained, vec2 reaches, inout f
         if (surface.found) surface.frames = (both ? 1.0 - chance : 1.0) * frames_by_light(c, c.mirror.surface_position, surface, AGREES_WIDEST, true);
         if (image.found) image.frames = (both ? chance : 1.0) * frames_by_light(c, position, image, AGREES_WIDEST, true);
     }
-    if (surface.found && !MIXED) surface.frames = worth(surface.frames, other_thing(surface, here, reaches, roughness), 2.0);
-    if (image.found && by_light) image.frames = worth(image.frames, other_thing(image, here, reaches, roughness), 2.0);
+    if (surface.found && !MIXED) surface.frames = worth(surface.frames, other_thing(c, surface, here, reaches, roughness), 2.0);
+    if (image.found && by_light) image.frames = worth(image.frames, other_thing(c, image, here, reaches, roughness), 2.0);
     if (image.found && is_known) {
         vec2 remembered = position;
         vec3 image_there = vec3(before.image.xy, hit_distance_of(c.depth, image.nearness));

@@ -61,7 +61,9 @@ const UNKNOWN_REACH: f32 = 1e4;
 const NEAREST_REACH: f32 = 0.125;
 
 /// Of the difference between the reach of a past and that of a pixel, whose own may be chance at an edge.
-const OWN_DIFFERENCE: f32 = 0.25;
+const OWN_DIFFERENCE: f32 = 0.35;
+/// Standard deviations of a past that are noise; twice as many are another thing.
+const NOISE_OF_PAST: f32 = 2.0;
 
 /// Mean of what the tested taps hold.
 #[derive(Clone, Copy, Default)]
@@ -111,13 +113,6 @@ impl Past {
         sum.add(other, share);
         sum
     }
-}
-
-/// By how much the reach of a past lies outside of what is seen now, or a part of how much it differs from that of the pixel alone, beside what
-/// is small for the lobe: another thing is seen there.
-fn other_thing(past: &Past, here: f32, reaches: [f32; 2], roughness: f32) -> f32 {
-    let outside = (reaches[0] - past.reach).max(past.reach - reaches[1]).max(OWN_DIFFERENCE * (here - past.reach).abs());
-    outside * mirror_share(roughness) / (0.05 + lobe_width(roughness))
 }
 
 /// Frames that a past is worth whose content is `error` pixels off in each of them.
@@ -241,7 +236,7 @@ impl Scene<'_> {
             }
         }
         for past in surface.iter_mut().filter(|_| !is_mixed).chain(image.iter_mut().filter(|_| by_light)) {
-            past.frames = worth(past.frames, other_thing(past, here, reaches, roughness), 2.0);
+            past.frames = worth(past.frames, self.other_thing(c, past, here, reaches, roughness), 2.0);
         }
         if is_known {
             if let (Some(past), Some(position)) = (&mut image, position) {
@@ -340,6 +335,30 @@ impl Scene<'_> {
         let mean = ((c.origin + past.mean) * ratio).min(LARGEST_HALF);
         let hits = mean * mean / (mean * mean + known).max(1e-20);
         (past.frames * agreement).min(frames_by_logs(&logs, hits))
+    }
+
+    /// How sure it is by the light of a pixel that it shows another thing than its past: what differs by little does no harm, and what differs
+    /// by more than the noise of the past is no chance. Between the two a sample may have met the other side of an outline.
+    fn sureness_of_own(&self, c: &Centre, past: &Past) -> f32 {
+        let value = self.inputs.noisy.at(c.mirror.p);
+        if value[3] < 0.0 {
+            return 1.0;
+        }
+        let ratio = self.frame.exposure_ratio;
+        let deviation = ((past.second_moment - past.mean * past.mean).max(0.0).sqrt() * ratio).min(LARGEST_HALF);
+        let then = of_light(past.irradiance.map(|value| signed_half_range(value * ratio))).max(0.0);
+        let now = of_light([value[0], value[1], value[2]]);
+        let difference = (now - then).abs();
+        let beyond = difference / deviation.max(1e-6) / NOISE_OF_PAST - 1.0;
+        (1.0 - difference / (now + then).max(1e-6)).max(beyond.clamp(0.0, 1.0))
+    }
+
+    /// By how much the reach of a past lies outside of what is seen now, or a part of how much it differs from that of the pixel alone, beside
+    /// what is small for the lobe: another thing is seen there.
+    fn other_thing(&self, c: &Centre, past: &Past, here: f32, reaches: [f32; 2], roughness: f32) -> f32 {
+        let own = OWN_DIFFERENCE * self.sureness_of_own(c, past) * (here - past.reach).abs();
+        let outside = (reaches[0] - past.reach).max(past.reach - reaches[1]).max(own);
+        outside * mirror_share(roughness) / (0.05 + lobe_width(roughness))
     }
 
     /// The mean of the tested 2×2 taps around a position.

@@ -454,6 +454,26 @@ fn another_thing_in_a_mirror_that_stands_still_drops_the_past() {
 }
 
 #[test]
+fn the_other_side_of_an_outline_is_chance_within_the_noise_of_the_past() {
+    // To the right a lamp of luminance 8 is seen, to the left a dark wall behind it. The past of the pixel between them was at the lamp.
+    let frames = |deviation, light| {
+        let mut wall = Wall::new(0.0, 4.0, 0.1);
+        wall.reflection = Image::new(EXTENT, pack_reflection(&SeenReflection { hit_distance: 1.0, roughness: 0.1 }, None));
+        wall.history = Image::new(EXTENT, [4.0; 4]);
+        wall.luminance_history = Image::new(EXTENT, LuminanceHistory { mean: 4.0, deviation, history_length: 1000.0, reason: 0 });
+        wall.noisy = paint(EXTENT, |x, y| match x {
+            16.. => [8.0, 8.0, 8.0, 1.0],
+            15 if y == 8 => [light, light, light, 4.0],
+            _ => [0.0, 0.0, 0.0, 4.0],
+        });
+        wall.run().luminance_history.at(IVec2::new(15, 8)).history_length
+    };
+    assert!(frames(4.0, 0.0) > 900.0, "now the wall, half of the time the lamp");
+    assert!(frames(0.5, 0.0) < 3.0, "far beyond the noise");
+    assert!(frames(4.0, 3.9) < 3.0, "next to the same light: a short history costs nothing");
+}
+
+#[test]
 fn a_mirror_without_a_sample_takes_the_distance_beside_it_and_one_that_shows_nothing_does_not() {
     // Of a pixel with a thing to its right, as it is alone, and with all to its left.
     let distances = |own| {
