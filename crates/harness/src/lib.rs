@@ -89,10 +89,14 @@ fn run_all<D, E: Display>(need: &Need, apart: &[&str], groups: &[Group], found: 
         eprintln!("{} are ignored: {error}", need.tests);
         assert!(std::env::var_os(need.required_by).is_none(), "{} is set, but: {error}", need.required_by);
     }
+    let chosen = take_filters(&mut arguments);
     let (mut trials, times) = (Vec::new(), Times::default());
     for group in groups {
         for &(name, test) in group.tests {
             let name = if group.name.is_empty() { name.to_owned() } else { format!("{}::{name}", group.name) };
+            if !chosen.is_empty() && !chosen.iter().any(|part| name.contains(part)) {
+                continue;
+            }
             let ignored = group.needs_device && found.is_err();
             let (times, timed) = (times.clone(), name.clone());
             let to_start = !is_apart && apart.iter().any(|beginning| name.starts_with(beginning));
@@ -108,6 +112,12 @@ fn run_all<D, E: Display>(need: &Need, apart: &[&str], groups: &[Group], found: 
     let conclusion = libtest_mimic::run(&arguments, trials);
     name_longest(&mut times.lock().unwrap_or_else(PoisonError::into_inner));
     conclusion.exit()
+}
+
+/// Several filters, with commas between them, choose the tests of each. One alone stays with the library, which knows whole names, too.
+fn take_filters(arguments: &mut Arguments) -> Vec<String> {
+    let several = arguments.filter.take_if(|filter| filter.contains(','));
+    several.map(|filter| filter.split(',').map(str::to_owned).collect()).unwrap_or_default()
 }
 
 /// Set in a process that runs one test alone.
