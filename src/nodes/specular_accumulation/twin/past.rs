@@ -313,8 +313,7 @@ impl Scene<'_> {
         if count < FEWEST_AGREEING {
             return past.frames;
         }
-        let deviation = (past.second_moment - past.mean * past.mean).max(0.0).sqrt() * ratio;
-        let known = deviation.min(LARGEST_HALF).powi(2);
+        let known = self.deviation_of(past).powi(2);
         let irradiance = past.irradiance.map(in_light);
         let errors = [0, 1, 2].map(|i| {
             let differences = pairs.iter().map(|(_, now, then)| now[i] - then[i]);
@@ -337,6 +336,11 @@ impl Scene<'_> {
         (past.frames * agreement).min(frames_by_logs(&logs, hits))
     }
 
+    /// Standard deviation of a sample of the past, in the light of this frame.
+    fn deviation_of(&self, past: &Past) -> f32 {
+        ((past.second_moment - past.mean * past.mean).max(0.0).sqrt() * self.frame.exposure_ratio).min(LARGEST_HALF)
+    }
+
     /// How sure it is by the light of a pixel that it shows another thing than its past: what differs by little does no harm, and what differs
     /// by more than the noise of the past is no chance. Between the two a sample may have met the other side of an outline.
     fn sureness_of_own(&self, c: &Centre, past: &Past) -> f32 {
@@ -345,11 +349,10 @@ impl Scene<'_> {
             return 1.0;
         }
         let ratio = self.frame.exposure_ratio;
-        let deviation = ((past.second_moment - past.mean * past.mean).max(0.0).sqrt() * ratio).min(LARGEST_HALF);
         let then = of_light(past.irradiance.map(|value| signed_half_range(value * ratio))).max(0.0);
         let now = of_light([value[0], value[1], value[2]]);
         let difference = (now - then).abs();
-        let beyond = difference / deviation.max(1e-6) / NOISE_OF_PAST - 1.0;
+        let beyond = difference / self.deviation_of(past).max(1e-6) / NOISE_OF_PAST - 1.0;
         (1.0 - difference / (now + then).max(1e-6)).max(beyond.clamp(0.0, 1.0))
     }
 
