@@ -137,19 +137,32 @@ step cargo clippy --package atrous --no-default-features --features capture --li
 tests=(env RUSTC_WORKSPACE_WRAPPER="$(rustc --print sysroot)/bin/clippy-driver" CLIPPY_ARGS=-Dwarnings
     cargo test --workspace --features capture,window,hot-reload --quiet)
 step "${tests[@]}" --no-run
+
+# The same tests on a second driver, where Debian's chromium brings one, and the pages.
+second_driver_and_pages() {
+    local swiftshader=/usr/lib/chromium/vk_swiftshader_icd.json features
+    if [ -e "$swiftshader" ]; then
+        # How near many frames of visibility come to the truth is no matter of the driver.
+        VK_ICD_FILENAMES=$swiftshader step "${tests[@]}" --test suite -- \
+            parity::one_signal,parity::specular_fast,where_nothing_changed,bad_values_are_forgotten,graphs::wild,visibility::,contract:: \
+            --skip each_of_four_lights --skip nearer_to_the_truth
+    fi
+    # Without a feature there is nothing to link to what it has.
+    for features in --no-default-features --features=default; do
+        RUSTDOCFLAGS="-D warnings" step cargo doc --package atrous "$features" --no-deps --quiet
+    done
+    RUSTDOC=$PWD/scripts/pages.sh RUSTDOCFLAGS="-D warnings" step "${tests[@]}" --doc
+}
+
+# The long tests of a suite leave a core idle, so both run side by side. What was printed stands below, in one piece.
+printed=$(mktemp)
+set -m
+(second_driver_and_pages) >"$printed" 2>&1 &
+set +m
+beside=$!
+trap 'kill -- "-$beside" 2>/dev/null || true; rm -f "$printed"' EXIT
 step "${tests[@]}"
-# A second driver, where Debian's chromium brings one: what holds by arithmetic holds there as well.
-swiftshader=/usr/lib/chromium/vk_swiftshader_icd.json
-if [ -e "$swiftshader" ]; then
-    # How near many frames of visibility come to the truth is no matter of the driver.
-    VK_ICD_FILENAMES=$swiftshader step "${tests[@]}" --test suite -- \
-        parity::one_signal,parity::specular_fast,where_nothing_changed,bad_values_are_forgotten,graphs::wild,visibility::,contract:: \
-        --skip each_of_four_lights --skip nearer_to_the_truth
-fi
-# Without a feature there is nothing to link to what it has.
-for features in --no-default-features --features=default; do
-    RUSTDOCFLAGS="-D warnings" step cargo doc --package atrous "$features" --no-deps --quiet
-done
-RUSTDOC=$PWD/scripts/pages.sh RUSTDOCFLAGS="-D warnings" step "${tests[@]}" --doc
+wait "$beside" || { cat "$printed"; exit 1; }
+cat "$printed"
 echo
 echo "test.sh: all passed, $SECONDS s"

@@ -12,7 +12,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("a_buffer_is_bound_to_buffers_of_the_host_alone", a_buffer_is_bound_to_buffers_of_the_host_alone),
 ];
 
-const EXTENT: [u32; 2] = [16, 9];
+const EXTENT: [u32; 2] = [19, 17];
 
 fn executor() -> Executor {
     let config = Config { preset: Preset::Asvgf, ..Config::new(EXTENT) };
@@ -58,13 +58,13 @@ fn an_image_is_bound_to_images_of_the_host_alone() {
     assert!(error.contains("dept") && error.contains("noisy_radiance"), "{error}");
     let error = executor.bind_image("depth", image(vk::Format::R32_UINT, EXTENT)).expect_err("a format").to_string();
     assert!(error.contains("depth") && error.contains("R32_UINT"), "{error}");
-    for extent in [[15, 9], [16, 8]] {
+    for extent in [[18, 17], [19, 16]] {
         let error = executor.bind_image("depth", image(vk::Format::R32_SFLOAT, extent)).expect_err("a size").to_string();
-        assert!(error.contains(&format!("{}x{} pixels", extent[0], extent[1])) && error.contains("16x9 pixels"), "{error}");
+        assert!(error.contains(&format!("{}x{} pixels", extent[0], extent[1])) && error.contains("19x17 pixels"), "{error}");
     }
     let begun = executor.begin_frame(&FrameParams::new(EXTENT), &Tuning::default());
     assert_eq!(begun.expect_err("nothing was bound"), Error::NotBound("depth".into()));
-    executor.bind_image("depth", image(vk::Format::R32_SFLOAT, [17, 9])).expect("a larger one fits");
+    executor.bind_image("depth", image(vk::Format::R32_SFLOAT, [20, 17])).expect("a larger one fits");
 }
 
 fn a_buffer_is_bound_to_buffers_of_the_host_alone() {

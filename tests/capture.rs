@@ -17,7 +17,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("what_is_outstanding_is_written_when_the_session_ends", what_is_outstanding_is_written_when_the_session_ends),
 ];
 
-const EXTENT: [u32; 2] = [16, 9];
+const EXTENT: [u32; 2] = [19, 17];
 
 fn run(s: &mut Session, index: u32) {
     let scene = Scene::new(EXTENT);
@@ -97,7 +97,7 @@ fn a_resize_ends_a_capture() {
     let mut s = session(&Config::new(EXTENT));
     s.capture(&whole, 2).expect("a capture");
     (0..2).for_each(|i| run(&mut s, i));
-    s.resize([24, 16]).expect("another extent");
+    s.resize([24, 18]).expect("another extent");
     assert_eq!(frames_in(&whole), 2, "written before the images go");
     assert_eq!(s.finish_capture().expect("nothing is lacking"), 2);
     s.resize(EXTENT).expect("the first extent");

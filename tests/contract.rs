@@ -48,7 +48,7 @@ fn memory_is_the_sum_of_its_parts() {
 }
 
 fn the_boundary_of_a_phase_names_first_and_last_access() {
-    let declaration = Config::new([64, 36]).declare().expect("valid");
+    let declaration = Config::new([66, 36]).declare().expect("valid");
     let boundary = declaration.boundary(Phase::AfterLighting);
     let of = |name: &str| boundary.iter().find(|b| declaration.resource(b.resource).name == name).expect("touched");
     let output = of("denoised_radiance");
@@ -59,7 +59,7 @@ fn the_boundary_of_a_phase_names_first_and_last_access() {
 }
 
 fn phases_come_in_order() {
-    let config = Config { post_process: PostProcess::ToneMapTaa, ..Config::new([64, 36]) };
+    let config = Config { post_process: PostProcess::ToneMapTaa, ..Config::new([66, 36]) };
     let declaration = config.declare().expect("valid");
     let phases: Vec<_> = declaration.passes().iter().map(|p| p.phase).collect();
     assert!(phases.is_sorted());
@@ -70,7 +70,7 @@ fn phases_come_in_order() {
 
 /// Compared as text, which has everything: shapes, lifetimes, usages, passes, shaders, constants, parameters.
 fn another_extent_gives_what_would_have_been_declared() {
-    let (from, to) = ([64, 36], [1920, 1081]);
+    let (from, to) = ([66, 36], [1920, 1081]);
     for preset in Preset::ALL {
         for signals in Signals::ALL {
             let all = |extent| Config {

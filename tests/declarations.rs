@@ -27,7 +27,7 @@ fn uses_equal_the_spirv_by_a_second_reader() {
     for (signals, (preset, gradient_source)) in Signals::ALL.into_iter().flat_map(|s| presets.map(|p| (s, p))) {
         for object_normal in [false, true] {
             let post_process = PostProcess::ToneMapTaa;
-            let options = Config { debug_view: true, firefly_filter: true, volume: object_normal, ..Config::new([64, 36]) };
+            let options = Config { debug_view: true, firefly_filter: true, volume: object_normal, ..Config::new([66, 36]) };
             let config = Config { signals, object_normal, post_process, preset, gradient_source, ..options };
             let declaration = config.declare().expect("valid");
             for pass in declaration.passes() {

@@ -16,7 +16,7 @@ pub const TESTS: &[DeviceTest] = &[
 ];
 
 const EXTENT: [u32; 2] = [17, 11];
-const LARGER: [u32; 2] = [24, 16];
+const LARGER: [u32; 2] = [24, 18];
 
 fn config(preset: Preset, extent: [u32; 2]) -> Config {
     Config { preset, post_process: PostProcess::ToneMapTaa, ..Config::new(extent) }

@@ -171,7 +171,7 @@ fn a_static_scene_is_as_steady_as_with_svgf() {
 }
 
 fn without_reshading_history_is_trusted_and_it_is_said_once() {
-    let scene = Scene::new([30, 20]);
+    let scene = Scene::new([36, 20]);
     let mut host = Host::new(Config { preset: Preset::Asvgf, ..Config::new(scene.extent) });
     let said = warnings().len();
     for i in 0..5 {

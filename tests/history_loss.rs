@@ -15,7 +15,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("the_cpu_engine_counts_alike", the_cpu_engine_counts_alike),
 ];
 
-const EXTENT: [u32; 2] = [64, 36];
+const EXTENT: [u32; 2] = [66, 36];
 /// Frames after which the executor has read eight frames in a row, and more.
 const FRAMES: u32 = 24;
 
@@ -71,7 +71,7 @@ fn good_guides_keep_their_history_and_nothing_is_said() {
         let mut s = session(&Config { conventions, ..Config::new(EXTENT) });
         let statistics = run(&mut s, FRAMES, |i| convert(scene.frame(i, i)), |i| scene.params(i));
         assert!(lost_share(&statistics) < 0.2, "{statistics:?}");
-        assert!(statistics.history_sought() > 64 * 18 && statistics.history_sought() <= 64 * 36, "{statistics:?}");
+        assert!(statistics.history_sought() > 66 * 18 && statistics.history_sought() <= 66 * 36, "{statistics:?}");
     }
     assert_eq!(warnings()[before..], [] as [String; 0]);
 }

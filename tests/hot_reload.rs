@@ -16,7 +16,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("what_does_not_compile_is_named_by_file_and_line", what_does_not_compile_is_named_by_file_and_line),
 ];
 
-const EXTENT: [u32; 2] = [64, 36];
+const EXTENT: [u32; 2] = [66, 36];
 
 /// A copy of the crate's GLSL.
 struct Sources(TempDir);

@@ -129,8 +129,8 @@ fn inputs_of_the_wrong_size_or_device_are_refused() {
     let error = one.bind_inputs(&set).expect_err("another device");
     assert!(error.to_string().contains("open both with the same HeadlessDevice"), "{error}");
     // Images of another size are refused as those of a host are.
-    let mut small = session_with(&Config::new([8, 8]), SessionOptions::default());
-    small.upload_bytes("depth", &[0; 8 * 8 * 4]).expect("depth");
+    let mut small = session_with(&Config::new([9, 7]), SessionOptions::default());
+    small.upload_bytes("depth", &[0; 9 * 7 * 4]).expect("depth");
     let mut set = InputSet::new(gpu());
     set.add(&small).expect("the same device");
     let error = one.bind_inputs(&set).expect_err("too small");

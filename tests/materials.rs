@@ -16,7 +16,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("numbers_out_of_range_are_refused", numbers_out_of_range_are_refused),
 ];
 
-const EXTENT: [u32; 2] = [64, 40];
+const EXTENT: [u32; 2] = [66, 40];
 /// Of a sequence.
 const FRAMES: u32 = 6;
 type Picture = Vec<[f32; 4]>;

@@ -7,7 +7,7 @@ use atrous_harness::DeviceTest;
 
 pub const TESTS: &[DeviceTest] = &[("temporal_variance_keeps_stripes_that_spatial_variance_blurs", stripes)];
 
-const EXTENT: [u32; 2] = [128, 48];
+const EXTENT: [u32; 2] = [120, 48];
 const STRIPE: u32 = 5;
 const QUIET: f32 = 0.6;
 

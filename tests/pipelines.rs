@@ -20,7 +20,7 @@ pub const TESTS: &[DeviceTest] = &[
 ];
 
 fn denoiser(spy: &Spy, cache: vk::PipelineCache) -> Result<Denoiser, Error> {
-    let config = Config { preset: Preset::Asvgf, ..Config::new([16, 9]) };
+    let config = Config { preset: Preset::Asvgf, ..Config::new([19, 17]) };
     // SAFETY: the handles are live and outlive the denoiser; the cache is null or one of the device.
     unsafe { Denoiser::new(spy.host(cache), config.declare().expect("valid")) }
 }
@@ -58,7 +58,7 @@ fn several_threads_create_them() {
 
 /// A denoiser of a preset that shares pipelines.
 fn sharing(spy: &Spy, pipelines: &SharedPipelines, preset: Preset) -> Result<Denoiser, Error> {
-    let config = Config { preset, ..Config::new([16, 9]) };
+    let config = Config { preset, ..Config::new([19, 17]) };
     let host = Device { pipelines: Some(pipelines), ..spy.host(vk::PipelineCache::null()) };
     // SAFETY: the handles are live and outlive the denoiser and the pipelines.
     unsafe { Denoiser::new(host, config.declare().expect("valid")) }
@@ -102,7 +102,7 @@ fn denoisers_share_what_they_have_in_common() {
 fn scaled(spy: &Spy, pipelines: &SharedPipelines, factor: &str) -> Denoiser {
     let source = MEAN_3X3.replace("sum.rgb / sum.a", &format!("{factor} * sum.rgb / sum.a"));
     let stage = Stage::new("mean_3x3", &compile(&source)).expect("a stage");
-    let mut g = Graph::new([16, 9]);
+    let mut g = Graph::new([19, 17]);
     let guides = g.import(Import::default());
     let noisy = g.radiance("noisy_radiance");
     let irradiance = g.demodulate(&guides, &noisy, Default::default());

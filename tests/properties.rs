@@ -119,7 +119,7 @@ fn a_constant_image_is_a_fixed_point() {
 }
 
 fn without_alpha_it_is_the_running_mean() {
-    let scene = Scene::new([32, 18]);
+    let scene = Scene::new([36, 18]);
     let mut s = session(&Config::new(scene.extent));
     // With a luminance tolerance of next to nothing the filter does not mix pixels, so the output is the accumulation.
     let tuning = Tuning { alpha: 0.0, alpha_moments: 0.0, sigma_l: 0.0, ..Tuning::default() };
@@ -169,7 +169,7 @@ fn rare_light_keeps_its_mean_while_the_camera_moves() {
 
 /// The share of the old light that is left 0.1 seconds after the light went out, by a preset that does not react to lights.
 fn left_of_the_light(frames_a_second: u32, tuning: &Tuning) -> f32 {
-    let scene = Scene { noise: 0.0, ..Scene::new([16, 16]) };
+    let scene = Scene { noise: 0.0, ..Scene::new([19, 18]) };
     let mut s = session(&svgf(scene.extent));
     let mut g = scene.frame(0, 0);
     g.albedo.fill([1.0; 4]);
@@ -201,7 +201,7 @@ fn light_fades_in_the_same_time_at_any_frame_rate() {
 fn a_render_rect_gives_the_bits_of_a_tight_image() {
     for signals in Signals::ALL {
         let tight = Scene { speed: 0.15, ..Scene::new([37, 21]) };
-        let loose = Scene { allocated: [64, 40], ..tight };
+        let loose = Scene { allocated: [66, 40], ..tight };
         let post_process = PostProcess::ToneMapTaa;
         let mut a = session(&Config { signals, post_process, ..Config::new(tight.allocated) });
         let mut b = session(&Config { signals, post_process, ..Config::new(loose.allocated) });
@@ -210,7 +210,7 @@ fn a_render_rect_gives_the_bits_of_a_tight_image() {
             let (_, y) = frame(&mut b, &loose.frame(i, i), &loose.params(i), &Tuning::default());
             let (x_display, y_display) = (a.download("display").expect("display"), b.download("display").expect("display"));
             for (px, py) in pixels(tight.extent) {
-                let (p, q) = ((py * 37 + px) as usize, (py * 64 + px) as usize);
+                let (p, q) = ((py * 37 + px) as usize, (py * 66 + px) as usize);
                 assert_eq!((x[p], x_display[p]), (y[q], y_display[q]), "frame {i}, pixel {px},{py}");
             }
         }
@@ -251,7 +251,7 @@ fn results_do_not_depend_on_the_parity_of_the_frame() {
 }
 
 fn two_runs_are_bit_identical() {
-    let scene = Scene { speed: 0.1, ..Scene::new([64, 36]) };
+    let scene = Scene { speed: 0.1, ..Scene::new([66, 36]) };
     let run = || -> Vec<Vec<[f32; 4]>> {
         let mut s = session(&Config::new(scene.extent));
         (0..5).map(|i| frame(&mut s, &scene.frame(i, i), &scene.params(i), &Tuning::default()).1).collect()
@@ -260,7 +260,7 @@ fn two_runs_are_bit_identical() {
 }
 
 fn the_number_of_frames_in_flight_changes_nothing() {
-    let scene = Scene { speed: 0.1, ..Scene::new([32, 18]) };
+    let scene = Scene { speed: 0.1, ..Scene::new([36, 18]) };
     let run = |frames_in_flight: u32| -> Vec<Vec<[f32; 4]>> {
         let mut s = session(&Config { frames_in_flight, ..Config::new(scene.extent) });
         let params = |i: u32| FrameParams { frame_slot: i % frames_in_flight, ..scene.params(i) };
@@ -272,9 +272,9 @@ fn the_number_of_frames_in_flight_changes_nothing() {
 }
 
 fn the_render_extent_may_change_from_frame_to_frame() {
-    let allocated = [64, 36];
+    let allocated = [66, 36];
     let mut s = session(&Config { post_process: PostProcess::ToneMapTaa, ..Config::new(allocated) });
-    for (i, extent) in (0..).zip([[64, 36], [48, 27], [48, 27], [64, 36], [33, 19], [1, 1], [64, 36]]) {
+    for (i, extent) in (0..).zip([[66, 36], [48, 27], [48, 27], [66, 36], [33, 19], [1, 1], [66, 36]]) {
         let scene = Scene { allocated, ..Scene::new(extent) };
         frame(&mut s, &scene.frame(0, i), &scene.params(0), &Tuning::default());
         if i == 3 {
@@ -287,7 +287,7 @@ fn the_render_extent_may_change_from_frame_to_frame() {
 }
 
 fn the_sky_passes_untouched() {
-    let scene = Scene { speed: 0.2, ..Scene::new([64, 64]) };
+    let scene = Scene { speed: 0.2, ..Scene::new([60, 60]) };
     let mut s = session(&Config::new(scene.extent));
     let mut sky = 0;
     for i in 0..4 {
@@ -302,9 +302,9 @@ fn the_sky_passes_untouched() {
 }
 
 fn emission_is_added_untouched() {
-    let scene = Scene::new([32, 18]);
+    let scene = Scene::new([36, 18]);
     let (mut with, mut without) = (session(&Config::new(scene.extent)), session(&Config::new(scene.extent)));
-    with.upload("emission", &[[3.0, 2.0, 1.0, 0.0]; 32 * 18]).expect("emission");
+    with.upload("emission", &[[3.0, 2.0, 1.0, 0.0]; 36 * 18]).expect("emission");
     for i in 0..3 {
         let (_, a) = frame(&mut with, &scene.frame(i, i), &scene.params(i), &Tuning::default());
         let (_, b) = frame(&mut without, &scene.frame(i, i), &scene.params(i), &Tuning::default());
@@ -315,7 +315,7 @@ fn emission_is_added_untouched() {
 }
 
 fn an_exposure_ratio_scales_the_history() {
-    let scene = Scene::new([32, 18]);
+    let scene = Scene::new([36, 18]);
     let mut s = session(&Config::new(scene.extent));
     let mut before = Vec::new();
     for i in 0..12 {
@@ -359,7 +359,7 @@ fn memory_is_what_the_executor_allocates() {
 }
 
 fn every_structural_variant_runs() {
-    let scene = Scene { speed: 0.1, ..Scene::new([24, 16]) };
+    let scene = Scene { speed: 0.1, ..Scene::new([24, 18]) };
     for signals in Signals::ALL {
         for (surface_id, object_normal) in [(false, false), (false, true), (true, true)] {
             for levels in [1, 2, 10] {

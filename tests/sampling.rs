@@ -13,7 +13,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("holes_that_nothing_fills_are_counted", holes_that_nothing_fills_are_counted),
 ];
 
-const EXTENT: [u32; 2] = [112, 64];
+const EXTENT: [u32; 2] = [112, 66];
 const FRAMES: u32 = 16;
 
 /// Whether a pixel has a sample in a frame: each pixel in its turn.

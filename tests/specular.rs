@@ -19,7 +19,7 @@ fn config(extent: [u32; 2]) -> Config {
 }
 
 fn out_of_range() {
-    let scene = Scene::new([32, 18]);
+    let scene = Scene::new([36, 18]);
     let config = config(scene.extent);
     let (mut good, mut bad) = (session(&config), session(&config));
     let pixel = 32 * 9 + 3;
@@ -50,7 +50,7 @@ fn out_of_range() {
 }
 
 fn black_albedo() {
-    let scene = Scene::new([32, 18]);
+    let scene = Scene::new([36, 18]);
     let mut s = session(&config(scene.extent));
     for i in 0..4 {
         let mut guides = scene.frame(0, i);
@@ -62,7 +62,7 @@ fn black_albedo() {
 
 /// With little noise, what comes out is the sum of the two lights, whatever divides them.
 fn both_lights() {
-    let scene = Scene { noise: 0.05, speed: 0.1, ..Scene::new([64, 36]) };
+    let scene = Scene { noise: 0.05, speed: 0.1, ..Scene::new([66, 36]) };
     for preset in [Preset::Svgf, Preset::Asvgf, Preset::Percentile, Preset::Fast, Preset::Eaw, Preset::Best] {
         let mut s = session(&Config { preset, ..config(scene.extent) });
         for i in 0..8 {

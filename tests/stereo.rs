@@ -16,7 +16,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("images_of_another_format_with_views_of_the_declared_one_do", images_of_another_format_with_views_of_the_declared_one_do),
 ];
 
-const EXTENT: [u32; 2] = [61, 35];
+const EXTENT: [u32; 2] = [67, 35];
 /// An input that is left out: where a surface was is then told by the matrices of the frame before, which each view has for itself.
 const LEFT_OUT: &str = "motion";
 

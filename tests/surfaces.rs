@@ -15,7 +15,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("what_the_camera_carries_keeps_its_history", what_the_camera_carries_keeps_its_history),
 ];
 
-const EXTENT: [u32; 2] = [48, 32];
+const EXTENT: [u32; 2] = [48, 36];
 
 /// Blade's encodings: everything in `GENERAL`, rays' lengths, motion in pixels times 0.02, light divided by the albedo, and one image
 /// with the reflectance at normal incidence and the roughness.

@@ -10,7 +10,7 @@ pub const TESTS: &[DeviceTest] =
     &[("a_missing_barrier_is_reported", a_missing_barrier_is_reported), ("a_frame_is_clean", a_frame_is_clean)];
 
 fn errors_with(omit: Option<&str>) -> Vec<String> {
-    let scene = Scene::new([32, 18]);
+    let scene = Scene::new([36, 18]);
     let gpu = Arc::new(HeadlessDevice::new(&HeadlessOptions { validation: Validation::On, ..Default::default() }).expect("device"));
     let config = Config::new(scene.extent);
     let declaration = config.declare().expect("valid");

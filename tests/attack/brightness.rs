@@ -7,7 +7,7 @@ use atrous::config::Preset;
 use atrous::executor::Session;
 use atrous::{Config, Counter, FrameParams, Tuning};
 
-const EXTENT: [u32; 2] = [64, 36];
+const EXTENT: [u32; 2] = [66, 36];
 const FRAMES: u32 = 8;
 
 /// A few frames of a scene whose light is multiplied by `gain`, and the last of them as a converged renderer has it.

@@ -148,7 +148,7 @@ fn open_files() -> usize {
 
 pub fn a_thousand_frames_take_no_more_than_a_few() {
     let spy = Spy::new();
-    let extents = [[16, 9], [24, 16], [5, 3]];
+    let extents = [[19, 17], [24, 18], [5, 3]];
     let config = Config { preset: Preset::Fast, ..Config::new(extents[0]) };
     let options = ExecutorOptions { timestamps: gpu().has_timestamps(), ..Default::default() };
     let mut rig = Rig::on(spy.host(vk::PipelineCache::null()), gpu(), &config, 1, options);

@@ -6,7 +6,7 @@ use crate::support::{assert_valid, gpu, soak};
 use atrous::config::{PostProcess, Preset};
 use atrous::{Config, Tuning};
 
-const EXTENT: [u32; 2] = [19, 13];
+const EXTENT: [u32; 2] = [19, 17];
 
 pub fn any_exposure_ratio_gives_a_picture() {
     for config in presets(EXTENT) {

@@ -5,7 +5,7 @@ use crate::graphs::dice::Dice;
 use crate::support::{assert_valid, soak};
 use atrous::Tuning;
 
-const EXTENT: [u32; 2] = [19, 13];
+const EXTENT: [u32; 2] = [19, 17];
 
 /// Values that are not finite, and such as are.
 const BAD: [f32; 5] = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1e-40, 65504.0];

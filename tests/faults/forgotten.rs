@@ -6,7 +6,7 @@ use ash::vk;
 use atrous::config::Preset;
 use atrous::{Config, FrameContext, FrameParams, Phase, ResetReason, Tuning, UseFrame};
 
-const EXTENT: [u32; 2] = [16, 9];
+const EXTENT: [u32; 2] = [19, 17];
 
 fn begin(rig: &mut Rig) -> FrameContext {
     rig.executor.begin_frame(&FrameParams { reshaded: true, ..FrameParams::new(EXTENT) }, &Tuning::default()).expect("a frame")

@@ -6,7 +6,7 @@ use atrous::executor::{HeadlessDevice, Session, SessionOptions};
 use atrous::{Config, Error, Tuning};
 use std::sync::Arc;
 
-const EXTENTS: [[u32; 2]; 2] = [[16, 9], [24, 16]];
+const EXTENTS: [[u32; 2]; 2] = [[19, 17], [24, 18]];
 
 pub struct Life {
     session: Session,

@@ -36,14 +36,14 @@ pub(super) fn graph_sequence(graph: Declaration, config: &Config, extent: [u32; 
 
 pub fn forward_projected() {
     for signals in Signals::ALL {
-        sequence(&Config { signals, ..config([61, 35]) }, [61, 35], |_, _, _| {});
+        sequence(&Config { signals, ..config([67, 35]) }, [67, 35], |_, _, _| {});
     }
     sequence(&Config { surface_id: false, object_normal: true, ..config([40, 23]) }, [37, 21], |_, _, _| {});
 }
 
 pub fn strata_of_every_size() {
     for stratum_size in [2, 3, 4] {
-        for extent in [[32, 24], [33, 25], [5, 3]] {
+        for extent in [[36, 24], [33, 25], [5, 3]] {
             sequence(&Config { stratum_size, ..config(extent) }, extent, |_, _, _| {});
         }
     }
@@ -88,7 +88,7 @@ pub fn transforms_and_forward_motion() {
 
 pub fn reshaded() {
     for signals in Signals::ALL {
-        reshaded_sequence(&Config { signals, ..config([61, 35]) });
+        reshaded_sequence(&Config { signals, ..config([67, 35]) });
     }
 }
 
@@ -137,10 +137,10 @@ pub fn stabilize() {
 
 /// The render extent grows and shrinks: strata of the previous frame are others than those of this one.
 pub fn other_resolutions() {
-    let config = config([64, 48]);
+    let config = config([66, 48]);
     let mut s = session_with(&config, SessionOptions { poison: true, keep_transients: true, ..Default::default() });
-    for (i, extent) in (0..).zip([[64, 48], [40, 31], [64, 48], [33, 20], [33, 20]]) {
-        let scene = Scene { allocated: [64, 48], ..Scene::new(extent) };
+    for (i, extent) in (0..).zip([[66, 48], [40, 31], [66, 48], [33, 20], [33, 20]]) {
+        let scene = Scene { allocated: [66, 48], ..Scene::new(extent) };
         upload(&mut s, &scene.frame(i, i));
         run(&mut s, &FrameParams { reshaded: true, ..scene.params(i) }, &Tuning::for_preset(config.preset));
     }

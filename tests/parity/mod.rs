@@ -25,10 +25,10 @@ use atrous_harness::DeviceTest;
 use captured::{capture, Captured};
 
 pub const TESTS: &[DeviceTest] = &[
-    ("one_signal", || sequence(&svgf([61, 35]))),
-    ("two_signals", || sequence(&Config { signals: Signals::Apart, ..svgf([61, 35]) })),
-    ("specular", || sequence(&Config { signals: Signals::Specular, ..svgf([61, 35]) })),
-    ("specular_in_a_larger_image", || sequence_of(&Config { signals: Signals::Specular, ..percentile([64, 40]) }, [37, 21])),
+    ("one_signal", || sequence(&svgf([67, 35]))),
+    ("two_signals", || sequence(&Config { signals: Signals::Apart, ..svgf([67, 35]) })),
+    ("specular", || sequence(&Config { signals: Signals::Specular, ..svgf([67, 35]) })),
+    ("specular_in_a_larger_image", || sequence_of(&Config { signals: Signals::Specular, ..percentile([66, 40]) }, [37, 21])),
     ("mixed_signal", specular::mixed_signal),
     ("specular_fast", || sequence(&Config { preset: Preset::Fast, signals: Signals::Specular, ..Config::new([40, 23]) })),
     ("specular_eaw", || sequence(&Config { preset: Preset::Eaw, signals: Signals::Specular, ..Config::new([40, 23]) })),
@@ -36,49 +36,49 @@ pub const TESTS: &[DeviceTest] = &[
     ("moving_reflections", specular::moving_reflections),
     ("specular_at_other_resolutions", specular::other_resolutions),
     ("specular_at_unknown_distances", specular::unknown_distances),
-    ("reactive_mask", || sequence(&Config { reactive_mask: true, ..Config::new([61, 35]) })),
+    ("reactive_mask", || sequence(&Config { reactive_mask: true, ..Config::new([67, 35]) })),
     ("reactive_mask_two_signals", || sequence(&Config { reactive_mask: true, signals: Signals::Apart, ..svgf([40, 23]) })),
     ("object_normals", || sequence(&Config { object_normal: true, ..svgf([40, 23]) })),
     ("materials", materials),
     ("without_ids", || sequence(&Config { surface_id: false, ..svgf([40, 23]) })),
     ("one_pixel", || sequence(&svgf([1, 1]))),
-    ("a_rect_in_a_larger_image", || sequence_of(&svgf([64, 40]), [37, 21])),
-    ("firefly_filter", || sequence(&Config { firefly_filter: true, ..svgf([61, 35]) })),
+    ("a_rect_in_a_larger_image", || sequence_of(&svgf([66, 40]), [37, 21])),
+    ("firefly_filter", || sequence(&Config { firefly_filter: true, ..svgf([67, 35]) })),
     ("outliers", outliers),
-    ("percentile", || sequence(&percentile([61, 35]))),
-    ("percentile_two_signals", || sequence(&Config { signals: Signals::Apart, ..percentile([61, 35]) })),
-    ("percentile_published", || sequence(&Config { adaptive_rule: AdaptiveRule::Percentiles, ..percentile([61, 35]) })),
+    ("percentile", || sequence(&percentile([67, 35]))),
+    ("percentile_two_signals", || sequence(&Config { signals: Signals::Apart, ..percentile([67, 35]) })),
+    ("percentile_published", || sequence(&Config { adaptive_rule: AdaptiveRule::Percentiles, ..percentile([67, 35]) })),
     ("percentile_published_two_signals", || {
         sequence(&Config { adaptive_rule: AdaptiveRule::Percentiles, signals: Signals::Apart, ..percentile([40, 23]) })
     }),
     ("percentile_object_normals", || sequence(&Config { object_normal: true, signals: Signals::Apart, ..percentile([40, 23]) })),
-    ("percentile_in_a_larger_image", || sequence_of(&percentile([64, 40]), [37, 21])),
-    ("fast", || sequence(&Config { preset: Preset::Fast, ..Config::new([61, 35]) })),
+    ("percentile_in_a_larger_image", || sequence_of(&percentile([66, 40]), [37, 21])),
+    ("fast", || sequence(&Config { preset: Preset::Fast, ..Config::new([67, 35]) })),
     ("fast_two_signals", || sequence(&Config { preset: Preset::Fast, signals: Signals::Apart, ..Config::new([40, 23]) })),
-    ("eaw", || sequence(&Config { preset: Preset::Eaw, ..Config::new([61, 35]) })),
+    ("eaw", || sequence(&Config { preset: Preset::Eaw, ..Config::new([67, 35]) })),
     ("eaw_two_signals", || {
         sequence(&Config { preset: Preset::Eaw, signals: Signals::Apart, levels: Some(10), ..Config::new([40, 23]) })
     }),
-    ("eaw_one_of_2x2", || sequence(&Config { preset: Preset::Eaw, sampling: Sampling::OneOf2x2, ..Config::new([61, 35]) })),
+    ("eaw_one_of_2x2", || sequence(&Config { preset: Preset::Eaw, sampling: Sampling::OneOf2x2, ..Config::new([67, 35]) })),
     ("eaw_one_of_4x4", || {
         sequence(&Config { preset: Preset::Eaw, sampling: Sampling::OneOf4x4, signals: Signals::Apart, ..Config::new([40, 23]) })
     }),
-    ("eaw_in_a_larger_image", || sequence_of(&Config { preset: Preset::Eaw, levels: Some(2), ..Config::new([64, 40]) }, [37, 21])),
-    ("volume", || sequence(&Config { preset: Preset::Volume, ..Config::new([61, 35]) })),
+    ("eaw_in_a_larger_image", || sequence_of(&Config { preset: Preset::Eaw, levels: Some(2), ..Config::new([66, 40]) }, [37, 21])),
+    ("volume", || sequence(&Config { preset: Preset::Volume, ..Config::new([67, 35]) })),
     ("volume_of_one_pixel", || sequence(&Config { preset: Preset::Volume, levels: Some(1), ..Config::new([1, 1]) })),
     ("volume_in_a_larger_image", || {
-        sequence_of(&Config { preset: Preset::Volume, levels: Some(2), ..Config::new([64, 40]) }, [37, 21])
+        sequence_of(&Config { preset: Preset::Volume, levels: Some(2), ..Config::new([66, 40]) }, [37, 21])
     }),
     ("volume_beside_svgf", || {
-        sequence(&Config { volume: true, firefly_filter: true, signals: Signals::Apart, levels: Some(3), ..svgf([61, 35]) })
+        sequence(&Config { volume: true, firefly_filter: true, signals: Signals::Apart, levels: Some(3), ..svgf([67, 35]) })
     }),
     ("volume_beside_eaw", || sequence(&Config { volume: true, preset: Preset::Eaw, ..Config::new([40, 23]) })),
-    ("visibility", || sequence(&Config { visibility: 1, ..svgf([61, 35]) })),
-    ("visibility_in_colour", || sequence(&Config { visibility: 1, coloured_visibility: true, ..svgf([61, 35]) })),
-    ("visibility_of_three_lights", || sequence(&Config { visibility: 3, ..svgf([61, 35]) })),
+    ("visibility", || sequence(&Config { visibility: 1, ..svgf([67, 35]) })),
+    ("visibility_in_colour", || sequence(&Config { visibility: 1, coloured_visibility: true, ..svgf([67, 35]) })),
+    ("visibility_of_three_lights", || sequence(&Config { visibility: 3, ..svgf([67, 35]) })),
     ("visibility_of_four_lights_in_colour", || {
         let tuning = Tuning { light_radius_1: 0.01, light_radius_2: 0.02, light_radius_3: 0.002, ..svgf_tuning() };
-        tuned_sequence(&Config { visibility: 4, coloured_visibility: true, ..svgf([61, 35]) }, [61, 35], tuning);
+        tuned_sequence(&Config { visibility: 4, coloured_visibility: true, ..svgf([67, 35]) }, [67, 35], tuning);
     }),
     ("a_part_of_larger_images", || {
         viewport::sequence(&Config { signals: Signals::Apart, post_process: PostProcess::ToneMapTaa, ..Config::new([40, 24]) });
@@ -86,16 +86,16 @@ pub const TESTS: &[DeviceTest] = &[
     }),
     ("ambient_occlusion", || {
         let tuning = Tuning { ambient_radius: 0.01, ..svgf_tuning() };
-        tuned_sequence(&Config { ambient_occlusion: true, visibility: 1, ..svgf([61, 35]) }, [61, 35], tuning);
+        tuned_sequence(&Config { ambient_occlusion: true, visibility: 1, ..svgf([67, 35]) }, [67, 35], tuning);
     }),
     ("visibility_of_one_pixel", || sequence(&Config { visibility: 1, levels: Some(1), ..svgf([1, 1]) })),
-    ("visibility_in_a_larger_image", || sequence_of(&Config { visibility: 1, ..svgf([64, 40]) }, [37, 21])),
+    ("visibility_in_a_larger_image", || sequence_of(&Config { visibility: 1, ..svgf([66, 40]) }, [37, 21])),
     ("visibility_beside_best_and_volume", || {
         sequence(&Config { visibility: 1, volume: true, preset: Preset::Best, ..Config::new([40, 23]) })
     }),
     ("visibility_of_a_large_light", || {
         let tuning = Tuning { light_radius: 0.05, penumbra_blur: 1.0, visibility_alpha: 0.0, ..svgf_tuning() };
-        tuned_sequence(&Config { visibility: 1, preset: Preset::Eaw, ..Config::new([61, 35]) }, [61, 35], tuning);
+        tuned_sequence(&Config { visibility: 1, preset: Preset::Eaw, ..Config::new([67, 35]) }, [67, 35], tuning);
     }),
     ("moving_shadows", visibility::moving_shadows),
     ("volume_at_other_resolutions", volume::other_resolutions),
@@ -119,15 +119,15 @@ pub const TESTS: &[DeviceTest] = &[
     ("best_reshaded", best::reshaded),
     ("best_without_parts", best::without_parts),
     ("best_without_ratio", best::sparse_and_confidence),
-    ("best_without_samples", || sequence(&Config { preset: Preset::Best, ..Config::new([61, 35]) })),
+    ("best_without_samples", || sequence(&Config { preset: Preset::Best, ..Config::new([67, 35]) })),
     ("debug_views", debug_view::every_view),
-    ("output_of_twice_the_extent", || sequence(&Config { output_extent: Some([122, 70]), ..svgf([61, 35]) })),
+    ("output_of_twice_the_extent", || sequence(&Config { output_extent: Some([122, 70]), ..svgf([67, 35]) })),
     ("output_of_other_ratios", || {
         sequence(&Config { output_extent: Some([40, 69]), signals: Signals::Specular, float_output: true, ..svgf([40, 23]) })
     }),
     ("output_of_one_pixel", || sequence(&Config { output_extent: Some([3, 2]), volume: true, ..svgf([1, 1]) })),
     ("output_of_a_rect_in_a_larger_image", || {
-        sequence_of(&Config { output_extent: Some([96, 60]), volume: true, ..svgf([64, 40]) }, [37, 21])
+        sequence_of(&Config { output_extent: Some([96, 60]), volume: true, ..svgf([66, 40]) }, [37, 21])
     }),
     ("light_of_half_the_extent", || light::sequence(&light::half([60, 34]))),
     ("light_of_half_the_width", || light::sequence(&Config { light_extent: Some([20, 23]), ..light::half([40, 23]) })),
@@ -139,7 +139,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("light_with_reflections", || {
         light::sequence(&Config { signals: Signals::Specular, float_output: true, ..light::half([40, 24]) });
     }),
-    ("light_of_a_rect_in_a_larger_image", || light::sequence_of(&light::half([64, 40]), [38, 22])),
+    ("light_of_a_rect_in_a_larger_image", || light::sequence_of(&light::half([66, 40]), [38, 22])),
     ("light_with_visibility", || light::sequence(&Config { visibility: 1, debug_view: true, ..light::half([40, 24]) })),
     ("light_of_every_preset", light::every_preset),
     ("light_with_a_volume", || light::sequence(&Config { volume: true, ..light::half([40, 24]) })),
@@ -163,12 +163,12 @@ fn holes() {
 
 /// With a limit so low that the firefly filter cuts pixels in every block, spreads all that it takes or a part of it, and passes holes by.
 fn outliers() {
-    let base = Config { firefly_filter: true, levels: Some(1), ..svgf([61, 35]) };
+    let base = Config { firefly_filter: true, levels: Some(1), ..svgf([67, 35]) };
     for (config, extent, firefly_spread) in [
-        (Config { signals: Signals::Apart, ..base }, [61, 35], 1024.0),
-        (Config { sampling: Sampling::OneOf2x2, ..base }, [61, 35], 0.25),
+        (Config { signals: Signals::Apart, ..base }, [67, 35], 1024.0),
+        (Config { sampling: Sampling::OneOf2x2, ..base }, [67, 35], 0.25),
         (Config { volume: true, ..base }, [37, 21], 2.0),
-        (base, [61, 35], 0.0),
+        (base, [67, 35], 0.0),
     ] {
         let tuning = Tuning { percentile_up: 0.75, percentile_range: 0.0, firefly_spread, ..Tuning::for_preset(config.preset) };
         tuned_sequence(&config, extent, tuning);
@@ -177,11 +177,11 @@ fn outliers() {
 
 /// Of two signals, of specular light, of mixed light, and of light of fewer pixels.
 fn materials() {
-    let fast = Config { preset: Preset::Fast, material_class: true, ..Config::new([24, 16]) };
+    let fast = Config { preset: Preset::Fast, material_class: true, ..Config::new([24, 18]) };
     sequence(&Config { signals: Signals::Apart, ..fast });
     sequence(&Config { signals: Signals::Specular, ..fast });
     sequence(&Config { signals: Signals::Mixed, ..fast });
-    light::sequence(&Config { light_extent: Some([12, 8]), ..fast });
+    light::sequence(&Config { light_extent: Some([12, 9]), ..fast });
 }
 
 fn percentile(extent: [u32; 2]) -> Config {

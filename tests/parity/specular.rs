@@ -46,7 +46,7 @@ pub fn unknown_distances() {
 
 /// Diffuse and specular light in one signal, at first without hit distances, and once without the albedo of the coat.
 pub fn mixed_signal() {
-    let extent = [32, 20];
+    let extent = [36, 20];
     let config = Config { signals: Signals::Mixed, preset: Preset::Best, levels: Some(2), ..Config::new(extent) };
     let scene = Scene { speed: 0.12, ..Scene::new(extent) };
     let mut s = session_with(&config, SessionOptions { poison: true, keep_transients: true, ..Default::default() });
@@ -67,10 +67,10 @@ pub fn mixed_signal() {
 }
 
 pub fn other_resolutions() {
-    let config = Config { signals: Signals::Specular, ..svgf([48, 32]) };
+    let config = Config { signals: Signals::Specular, ..svgf([48, 36]) };
     let mut s = session_with(&config, SessionOptions { poison: true, keep_transients: true, ..Default::default() });
-    for (i, extent) in (0..).zip([[48, 32], [31, 20], [40, 27], [48, 32]]) {
-        let scene = Scene { speed: 0.12, allocated: [48, 32], ..Scene::new(extent) };
+    for (i, extent) in (0..).zip([[48, 36], [31, 20], [40, 27], [48, 36]]) {
+        let scene = Scene { speed: 0.12, allocated: [48, 36], ..Scene::new(extent) };
         upload(&mut s, &scene.frame(i, i));
         run(&mut s, &scene.params(i), &svgf_tuning());
     }

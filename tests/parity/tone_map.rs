@@ -8,7 +8,7 @@ use atrous::{Config, ToneCurve, Tuning};
 
 /// Every curve, from black to far beyond white.
 pub fn curves() {
-    let scene = Scene { noise: 0.0, ..Scene::new([64, 4]) };
+    let scene = Scene { noise: 0.0, ..Scene::new([60, 5]) };
     for tone_curve in [ToneCurve::Aces, ToneCurve::Reinhard, ToneCurve::Linear] {
         let config = Config { post_process: PostProcess::ToneMap, levels: Some(1), ..svgf(scene.extent) };
         let mut s = session_with(&config, SessionOptions { poison: true, keep_transients: true, ..Default::default() });

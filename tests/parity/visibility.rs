@@ -9,12 +9,12 @@ use atrous::{Config, Counter, FrameParams, Input};
 /// Things and lights that move, transforms that none has, ids that have none, and motions that are NaN.
 pub fn moving_shadows() {
     for (visibility, coloured_visibility) in [(1, false), (4, true)] {
-        moving_shadows_of(Config { visibility, coloured_visibility, ..svgf([61, 35]) });
+        moving_shadows_of(Config { visibility, coloured_visibility, ..svgf([67, 35]) });
     }
 }
 
 fn moving_shadows_of(config: Config) {
-    let scene = Scene { speed: 0.07, ..Scene::new([61, 35]) };
+    let scene = Scene { speed: 0.07, ..Scene::new([67, 35]) };
     let identity: InstanceTransform = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
     let moved = [[0.9998, -0.02, 0.0, 0.1], [0.02, 0.9998, 0.0, -0.05], [0.0, 0.0, 1.0, 0.02]];
     let bad = [[f32::NAN; 4]; 3];

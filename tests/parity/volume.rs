@@ -8,10 +8,10 @@ use atrous::{Config, FrameParams, Tuning, UseFrame};
 
 /// The pixels of the previous frame are carried, be they more or fewer than those of this one.
 pub fn other_resolutions() {
-    let allocated = [64, 40];
+    let allocated = [66, 40];
     let config = Config { preset: Preset::Volume, levels: Some(2), ..Config::new(allocated) };
     let mut s = session_with(&config, SessionOptions { poison: true, keep_transients: true, ..Default::default() });
-    for (i, extent) in (0..).zip([[64, 40], [33, 19], [50, 40], [1, 1], [64, 40]]) {
+    for (i, extent) in (0..).zip([[66, 40], [33, 19], [50, 40], [1, 1], [66, 40]]) {
         let scene = Scene { speed: 0.1, allocated, ..Scene::new(extent) };
         upload(&mut s, &scene.frame(i, i));
         let params = FrameParams { jitter: [0.25, -0.4], ..scene.params(i) };

@@ -48,7 +48,7 @@ impl Drop for Validated {
 }
 
 /// A size of pictures that takes no time.
-pub const SMALL: Extent2D = Extent2D { width: 32, height: 18 };
+pub const SMALL: Extent2D = Extent2D { width: 40, height: 22 };
 
 /// A scene by its name.
 pub fn built_in(name: &str, options: SceneOptions) -> Arc<Scene> {

@@ -8,7 +8,7 @@ use atrous_conventions::{check, Guides, Report, Verdict};
 use atrous_engine::testing::{built_in, Validated};
 use atrous_engine::{PathTracer, SceneOptions, TracerOptions};
 
-const EXTENT: Extent2D = Extent2D { width: 128, height: 72 };
+const EXTENT: Extent2D = Extent2D { width: 120, height: 68 };
 
 /// What the demo declares.
 fn declared() -> Conventions {

@@ -5,7 +5,7 @@ use atrous_engine::scene::vitrine::{BALL, PANE};
 use atrous_engine::testing::{built_in, mean, render, rgb, Validated};
 use atrous_engine::{GlassShown, PathTracer, SceneOptions, TracerOptions};
 
-const EXTENT: Extent2D = Extent2D { width: 64, height: 36 };
+const EXTENT: Extent2D = Extent2D { width: 60, height: 34 };
 
 fn tracer(gpu: &Validated, glass: GlassShown, options: SceneOptions) -> PathTracer {
     let scene = built_in("vitrine", options);

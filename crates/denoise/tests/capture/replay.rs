@@ -162,7 +162,7 @@ fn a_capture_from_the_middle_is_replayed() {
 
 fn a_part_of_larger_images_is_captured_alone() {
     let folder = tempfile::tempdir().expect("a folder");
-    let allocated = [64, 40];
+    let allocated = [60, 40];
     let scene = Scene { speed: 0.05, allocated, ..Scene::new(EXTENT) };
     let pictures = capture(folder.path(), &Config::new(allocated), &Tuning::default(), &scene, |_, _| {});
     assert_replays(folder.path(), &pictures);
@@ -445,7 +445,7 @@ fn light_and_output_of_other_sizes_are_replayed() {
         (extent, [true, true], Some([72, 40])),
         (extent, [true, false], None),
         (extent, [false; 2], Some([96, 52])),
-        ([64, 40], [true, true], Some([66, 40])),
+        ([60, 40], [true, true], Some([62, 40])),
     ] {
         let folder = tempfile::tempdir().expect("a folder");
         let light = [0, 1].map(|i| if halved[i] { allocated[i] / 2 } else { allocated[i] });

@@ -96,7 +96,7 @@ pub fn noise(x: i32, y: i32, seed: u32) -> f32 {
     (v >> 8) as f32 / (1 << 24) as f32
 }
 
-pub const WIDTH: usize = 32;
+pub const WIDTH: usize = 30;
 pub const HEIGHT: usize = 18;
 
 /// A frame in the layout of the project's data sets: a plane at depth 2 with noise around radiance 0.5.

@@ -5,7 +5,7 @@ use super::{bounds, noise, Sample, Type};
 use glam::{Mat4, Vec2, Vec3, Vec4};
 
 /// Width and height.
-pub const SIZE: [usize; 2] = [64, 36];
+pub const SIZE: [usize; 2] = [60, 36];
 const RADIUS: f32 = 0.6;
 const SKY: f32 = 0.6;
 /// Where the fog before the sky ends.

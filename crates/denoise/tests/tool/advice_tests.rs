@@ -38,7 +38,7 @@ fn every_advice_can_be_typed() {
     };
     follows_the_advice(wrong_motion(|[x, y]| [x, -y]).path(), "motion_y=up");
     follows_the_advice(wrong_motion(|[x, y]| [-x, -y]).path(), "motion_direction=current_minus_previous");
-    follows_the_advice(wrong_motion(|[x, y]| [x / 64.0, y / 36.0]).path(), "motion_unit=uv");
+    follows_the_advice(wrong_motion(|[x, y]| [x / 60.0, y / 36.0]).path(), "motion_unit=uv");
     follows_the_advice(wrong_motion(|[x, y]| [0.2 * x, 0.2 * y]).path(), "motion_scale=5");
     let centimetres = written(fast, 3, |_, frame| {
         let sample = frame.plain();

@@ -35,7 +35,7 @@ fn a_sky_beyond_half_floats_keeps_its_value() {
 #[test]
 fn surfaces_of_large_scenes_are_no_background() {
     let frame = samples::frame(0);
-    let far = Sample { channels: frame.channels.into_iter().filter(|c| c.0 != "depth.Z").collect(), ..Sample::new(32, 18) };
+    let far = Sample { channels: frame.channels.into_iter().filter(|c| c.0 != "depth.Z").collect(), ..Sample::new(30, 18) };
     let setup = setup_of(&far.flat("depth.Z", Type::Float, 50_000.0), &[]).expect("a setup");
     assert!(setup.config.conventions.background_depth > 50_000.0);
 }

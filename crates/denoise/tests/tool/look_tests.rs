@@ -95,7 +95,7 @@ fn parts_that_do_not_add_up_are_left_out() {
 fn a_part_is_never_more_than_the_whole() {
     let folder = folder();
     let part = |x: i32, y: i32| if (x, y) == (3, 3) { 9.0 } else { 0.25 };
-    let sample = (0..3).fold(Sample::new(32, 18), |sample, c| {
+    let sample = (0..3).fold(Sample::new(30, 18), |sample, c| {
         let c = ["R", "G", "B"][c];
         sample.channel(&format!("Combined.{c}"), Type::Half, |_, _| 0.5).channel(&format!("Emit.{c}"), Type::Half, part)
     });

@@ -8,7 +8,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::task::{Context, Poll, Waker};
 use wgpu::{TextureFormat as Format, TextureUsages as Usage};
 
-pub const EXTENT: [u32; 2] = [64, 33];
+pub const EXTENT: [u32; 2] = [60, 33];
 const DEPTH: f32 = 0.75;
 const LIGHT: f64 = 0.625;
 
