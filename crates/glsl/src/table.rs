@@ -2,10 +2,12 @@
 
 use crate::compile::{resolve, shaders, Detail, Glsl, Variant};
 use atrous_shader::{entry_point, interface, reflect, BindingKind, Shader};
+use shaderc::Compiler;
 use spirq::{ty::Type, var::Variable};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::{env, error::Error, fs, time::UNIX_EPOCH};
 
 /// Writes the modules into `out`, with the table `shaders.rs`, and the table `interfaces.rs` beside it. What belongs to one module
@@ -15,33 +17,36 @@ pub fn write_table(glsl: &Path, out: &Path) -> Result<(), Box<dyn Error>> {
     fs::create_dir_all(out)?;
     fs::create_dir_all(&modules_folder)?;
     let includes = [glsl.join("include")];
-    let compiler = shaderc::Compiler::new()?;
-    let (mut modules, mut asserts, mut interfaces, mut names) = (String::new(), BTreeSet::new(), String::new(), Vec::new());
-    for file in shaders(glsl)? {
-        let source = Glsl::read(&file, &includes)?;
-        let optional = optional(&fs::read_to_string(&file)?);
-        let mut of_file = String::new();
-        for variant in source.variants() {
-            let key = key(&file, &includes, &variant)?;
-            let parts = ["key", "rs", "asserts", "interface"].map(|part| modules_folder.join(format!("{}.{part}", variant.name)));
-            let spirv = out.join(format!("{}.spv", variant.name));
-            if !spirv.is_file() || fs::read_to_string(&parts[0]).ok().as_ref() != Some(&key) {
-                let stage = file.file_stem().unwrap_or_default().to_string_lossy();
-                let module = module(&source, &compiler, &stage, &variant, &optional)?;
-                fs::write(&spirv, &module.bytes)?;
-                for (path, text) in parts.iter().skip(1).zip([&module.entry, &module.asserts, &module.interface]) {
-                    fs::write(path, text)?;
-                }
-                // Last, so that a build that was broken off is not taken for a whole one.
-                fs::write(&parts[0], key)?;
-            }
-            of_file += &fs::read_to_string(&parts[1])?;
-            asserts.extend(fs::read_to_string(&parts[2])?.lines().map(str::to_owned));
-            interfaces += &fs::read_to_string(&parts[3])?;
-            names.push(variant.name);
+    let files = shaders(glsl)?;
+    let sources = files.iter().map(|file| Source::read(file, &includes)).collect::<Result<Vec<_>, _>>()?;
+    let variants: Vec<_> = sources.iter().flat_map(|source| source.variants.iter().map(move |variant| (source, variant))).collect();
+    side_by_side(&variants, |compiler, (source, variant)| {
+        let spirv = out.join(format!("{}.spv", variant.name));
+        let [key_path, rest @ ..] = parts(&modules_folder, variant);
+        let key = key(source.file, &includes, variant)?;
+        if spirv.is_file() && fs::read_to_string(&key_path).ok().as_ref() == Some(&key) {
+            return Ok(());
         }
-        if let Some(unknown) = optional.iter().find(|name| !of_file.contains(&format!("{name:?}"))) {
-            return Err(format!("{}: `// optional: {unknown}`, but there is no such binding", file.display()).into());
+        let module = module(source, compiler, variant)?;
+        fs::write(&spirv, &module.bytes)?;
+        for (path, text) in rest.iter().zip([&module.entry, &module.asserts, &module.interface]) {
+            fs::write(path, text)?;
+        }
+        // Last, so that a build that was broken off is not taken for a whole one.
+        Ok(fs::write(&key_path, key)?)
+    })?;
+    let (mut modules, mut asserts, mut interfaces, mut names) = (String::new(), BTreeSet::new(), String::new(), Vec::new());
+    for source in &sources {
+        let mut of_file = String::new();
+        for variant in &source.variants {
+            let [_, entry, assert, interface] = parts(&modules_folder, variant);
+            of_file += &fs::read_to_string(entry)?;
+            asserts.extend(fs::read_to_string(assert)?.lines().map(str::to_owned));
+            interfaces += &fs::read_to_string(interface)?;
+            names.push(&variant.name);
+        }
+        if let Some(unknown) = source.optional.iter().find(|name| !of_file.contains(&format!("{name:?}"))) {
+            return Err(format!("{}: `// optional: {unknown}`, but there is no such binding", source.file.display()).into());
         }
         modules += &of_file;
     }
@@ -60,6 +65,55 @@ pub fn write_table(glsl: &Path, out: &Path) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
+/// A shader with what its own text says of it.
+struct Source<'a> {
+    file: &'a Path,
+    glsl: Glsl,
+    optional: Vec<String>,
+    variants: Vec<Variant>,
+}
+
+impl<'a> Source<'a> {
+    fn read(file: &'a Path, includes: &[PathBuf]) -> Result<Self, Box<dyn Error>> {
+        let glsl = Glsl::read(file, includes)?;
+        Ok(Self { file, optional: optional(&fs::read_to_string(file)?), variants: glsl.variants(), glsl })
+    }
+}
+
+/// Where the parts of a module are kept: its key, entry, asserts and interface.
+fn parts(folder: &Path, variant: &Variant) -> [PathBuf; 4] {
+    ["key", "rs", "asserts", "interface"].map(|part| folder.join(format!("{}.{part}", variant.name)))
+}
+
+/// Does the work of each item on as many threads as there are cores, each with a compiler of its own. Of several errors, gives that of the
+/// first item.
+fn side_by_side<T: Sync>(
+    items: &[T],
+    work: impl Fn(&Compiler, &T) -> Result<(), Box<dyn Error>> + Sync,
+) -> Result<(), Box<dyn Error>> {
+    let next = AtomicUsize::new(0);
+    let thread = || -> Result<(), (usize, String)> {
+        let compiler = Compiler::new().map_err(|e| (0, e.to_string()))?;
+        loop {
+            let i = next.fetch_add(1, Ordering::Relaxed);
+            let Some(item) = items.get(i) else { return Ok(()) };
+            work(&compiler, item).map_err(|e| (i, e.to_string()))?;
+        }
+    };
+    let cores = std::thread::available_parallelism().map_or(1, |cores| cores.get());
+    let results: Vec<_> = std::thread::scope(|scope| {
+        let threads: Vec<_> = (0..cores).map(|_| scope.spawn(thread)).collect();
+        threads
+            .into_iter()
+            .map(|thread| thread.join().unwrap_or_else(|_| Err((0, "a thread of the compiler panicked".into()))))
+            .collect()
+    });
+    match results.into_iter().filter_map(Result::err).min() {
+        Some((_, error)) => Err(error.into()),
+        None => Ok(()),
+    }
+}
+
 /// The code of a module, and its lines of the tables.
 struct Module {
     bytes: Vec<u8>,
@@ -68,18 +122,13 @@ struct Module {
     interface: String,
 }
 
-fn module(
-    source: &Glsl,
-    compiler: &shaderc::Compiler,
-    stage: &str,
-    variant: &Variant,
-    optional: &[String],
-) -> Result<Module, Box<dyn Error>> {
+fn module(source: &Source, compiler: &Compiler, variant: &Variant) -> Result<Module, Box<dyn Error>> {
+    let stage = source.file.file_stem().unwrap_or_default().to_string_lossy();
     let name = &variant.name;
-    let compile = |detail| source.compile(compiler, variant, detail).map_err(|e| format!("{name}:\n{e}"));
+    let compile = |detail| source.glsl.compile(compiler, variant, detail).map_err(|e| format!("{name}:\n{e}"));
     let bytes: Vec<u8> = compile(Detail::Code)?.iter().flat_map(|word| word.to_ne_bytes()).collect();
     let named = compile(Detail::Everything)?;
-    let shader = reflect(stage, name, Vec::new(), &named, optional)?;
+    let shader = reflect(&stage, name, Vec::new(), &named, &source.optional)?;
     let interface = format!("({name:?}, &{:?}),\n", interface(&named)?);
     Ok(Module { bytes, entry: entry(&shader)?, asserts: asserts(&named)?, interface })
 }
