@@ -94,7 +94,7 @@ impl Demo {
     pub fn start(display: &Display, out: &Path) -> Self {
         let log = out.join("log");
         let child = Command::new(env!("CARGO_BIN_EXE_atrous-demo"))
-            .args(["--window", "--validate", "--scene", "cornell", "--size", "60x36", "--window-size", "900x500"])
+            .args(["--window", "--validate", "--scene", "cornell", "--size", "64x36", "--window-size", "900x500"])
             .arg("--settings")
             .arg(out.join("settings.json"))
             .arg("--out")
