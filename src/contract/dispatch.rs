@@ -1,6 +1,6 @@
 //! Work of a pass: its shader, and the source of everything that it reads. Made once, so that recording looks nothing up.
 
-use super::{PassDecl, Use};
+use super::{Declaration, PassDecl, Use};
 use crate::shaders::{Shader, ShaderRef};
 use std::any::Any;
 use std::sync::Arc;
@@ -67,6 +67,44 @@ pub(crate) enum Grid {
     Output(u32),
 }
 
+/// The sizes of a frame that a grid may cover, in pixels.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct GridExtents {
+    pub light: [u32; 2],
+    pub previous_light: [u32; 2],
+    pub rendered: [u32; 2],
+    pub output: [u32; 2],
+}
+
+impl Dispatch {
+    /// Workgroups in x and y.
+    pub(crate) fn workgroups(&self, extents: &GridExtents) -> [u32; 2] {
+        let (now, before) = (extents.light, extents.previous_light);
+        let [x, y] = match self.grid {
+            Grid::Pixels => now,
+            Grid::Guides => extents.rendered,
+            Grid::Strata(side) => [now[0].max(before[0]).div_ceil(side), now[1].max(before[1]).div_ceil(side)],
+            Grid::Columns(pixels) => [now[0], now[1].div_ceil(pixels)],
+            Grid::Output(pixels) => [extents.output[0], extents.output[1].div_ceil(pixels)],
+        };
+        let [width, height, _] = self.shader.workgroup;
+        [x.div_ceil(width), y.div_ceil(height)]
+    }
+}
+
+impl Declaration {
+    /// Invocations of a pass, by its index, in a frame of the allocated extent: of whole workgroups, those beyond the image among them. 0 for
+    /// a pass that is no dispatch, and for an index that no pass has.
+    pub fn invocations(&self, pass: usize) -> u64 {
+        let Some(dispatch) = self.passes.get(pass).and_then(PassDecl::dispatch) else { return 0 };
+        let (setup, rendered) = (&self.setup, self.setup.allocated_extent);
+        let light = setup.light_of(rendered);
+        let extents = GridExtents { light, previous_light: light, rendered, output: setup.largest_output() };
+        let sides = dispatch.workgroups(&extents).into_iter().chain(dispatch.shader.workgroup);
+        sides.map(u64::from).product()
+    }
+}
+
 impl PassDecl {
     pub(crate) fn dispatch(&self) -> Option<&Dispatch> {
         match &self.work {
@@ -107,5 +145,24 @@ impl PassDecl {
     /// The use that stands at a binding, by its GLSL name.
     pub fn use_of(&self, binding: &str) -> Option<&Use> {
         self.bindings().zip(&self.uses).find(|((_, name), _)| *name == binding).map(|(_, u)| u)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::Config;
+
+    #[test]
+    fn invocations_are_those_of_whole_workgroups_of_the_grid() {
+        let of = |config: &Config, name: &str| {
+            let declaration = config.declare().expect("valid");
+            let pass = declaration.passes().iter().position(|pass| pass.name == name);
+            declaration.invocations(pass.unwrap_or(usize::MAX))
+        };
+        let whole = Config::new([66, 36]);
+        assert_eq!(of(&whole, "temporal_accumulation"), 72 * 40);
+        let half = Config { light_extent: Some([33, 18]), ..whole };
+        assert_eq!((of(&half, "temporal_accumulation"), of(&half, "rendered_guide")), (40 * 24, 128 * 36));
+        assert_eq!((of(&whole, "start_frame"), of(&whole, "no pass")), (0, 0));
     }
 }

@@ -37,7 +37,7 @@ pub use boundary::{Boundary, BoundaryUse};
 pub use debug_view::DebugView;
 pub(crate) use declaration::life;
 pub use declaration::{Declaration, PassDecl, Phase, Use, UseFrame};
-pub(crate) use dispatch::{Dispatch, Grid, Parameter, Slot, Work};
+pub(crate) use dispatch::{Dispatch, Grid, GridExtents, Parameter, Slot, Work};
 pub(crate) use format::component_of;
 pub use format::ImageFormat;
 pub use frame::{FrameContext, FrameParams, FrameState, ResetReason};

@@ -9,7 +9,7 @@ use super::names::Names;
 use super::pipeline::Descriptor;
 use super::pipelines::{Bindable, Pipelines};
 use super::requirements::Requirements;
-use crate::contract::{Binding, Declaration, Dispatch, FrameContext, FrameParams, Grid, Parameter, Tuning, Work};
+use crate::contract::{Binding, Declaration, Dispatch, FrameContext, FrameParams, GridExtents, Parameter, Tuning, Work};
 use crate::error::Error;
 use crate::shaders::{MAX_BINDINGS, MAX_PUSH_BYTES};
 use ash::vk;
@@ -250,7 +250,13 @@ impl Denoiser {
         };
         let push = push_constants(dispatch, frame, bindings);
         let push = &bytemuck::bytes_of(&push)[..dispatch.shader.push_bytes() as usize];
-        let [x, y] = workgroups(dispatch, frame);
+        let extents = GridExtents {
+            light: frame.constants.render_extent,
+            previous_light: frame.constants.previous_render_extent,
+            rendered: frame.render_extent,
+            output: frame.output_extent,
+        };
+        let [x, y] = dispatch.workgroups(&extents);
         let point = vk::PipelineBindPoint::COMPUTE;
         // SAFETY: `cmd` is recording outside a render pass; pipeline, layout and set belong together, and the set is not in use,
         // since earlier work of the slot is complete. Where `bound` is the pipeline, it still is bound to `cmd`.
@@ -317,18 +323,4 @@ fn push_constants(dispatch: &Dispatch, frame: &FrameContext, bindings: &[Binding
         };
     }
     block
-}
-
-/// Workgroups of a dispatch, in x and y.
-fn workgroups(dispatch: &Dispatch, frame: &FrameContext) -> [u32; 2] {
-    let (now, before) = (frame.constants.render_extent, frame.constants.previous_render_extent);
-    let [x, y] = match dispatch.grid {
-        Grid::Pixels => now,
-        Grid::Guides => frame.render_extent,
-        Grid::Strata(side) => [now[0].max(before[0]).div_ceil(side), now[1].max(before[1]).div_ceil(side)],
-        Grid::Columns(pixels) => [now[0], now[1].div_ceil(pixels)],
-        Grid::Output(pixels) => [frame.output_extent[0], frame.output_extent[1].div_ceil(pixels)],
-    };
-    let [width, height, _] = dispatch.shader.workgroup;
-    [x.div_ceil(width), y.div_ceil(height)]
 }

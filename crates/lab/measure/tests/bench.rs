@@ -101,6 +101,19 @@ fn every_preset_is_measured_and_compared() {
     let cells: Vec<f64> = modulate.split('|').filter_map(|cell| cell.trim().parse().ok()).collect();
     // MB by 0.01 GB/s; MB have two decimals.
     assert!(cells[4] > 0.02 && (cells[6] * 0.01 - cells[4]).abs() < 0.006, "{modulate}");
+    // Every shader of the preset is in the table of the page.
+    let chip = run(bench().args(["--frames", "1", "--rounds", "1", "--size", "480x270", "--preset", "best", "--chip", "6900 XT"]));
+    let said = text(&chip.stdout);
+    let column = |row: &str, name: &str| -> Option<f64> {
+        let cells = |line: &str| line.split('|').map(|cell| cell.trim().to_owned()).collect::<Vec<_>>();
+        let names = cells(said.lines().find(|line| line.contains("cycles ms"))?);
+        cells(said.lines().find(|line| line.starts_with(&format!("| {row} ")))?)
+            .get(names.iter().position(|n| n == name)?)?
+            .parse()
+            .ok()
+    };
+    let cycles = ["temporal_accumulation", "atrous_0", "all passes"].map(|row| column(row, "cycles ms").expect(&said));
+    assert!(cycles[0] > 0.0 && cycles[1] > 0.0 && cycles[2] > cycles[0] + cycles[1], "{cycles:?}:\n{said}");
     let stamps = run(bench().args(small).args(["--preset", "svgf", "--timestamps"]));
     assert!(text(&stamps.stdout).contains("GPU timestamps"), "{}", text(&stamps.stdout));
     let both = run(bench().args(small).args(["--preset", "svgf,custom", "--growth", "--against"]).arg(&json));

@@ -30,6 +30,9 @@ const BANDWIDTHS: [(&str, f64); 22] = [
     ("VANGOGH", 88.0),
 ];
 
+/// Chips for which the table of shaders was compiled, with their SIMDs and the clock of their data sheet in GHz.
+const SIMDS: [(&str, f64, f64); 2] = [("6900 XT", 160.0, 2.25), ("6800 XT", 144.0, 2.25)];
+
 /// The chips that [`bandwidth`] knows.
 pub fn names() -> impl Iterator<Item = &'static str> {
     BANDWIDTHS.iter().map(|(name, _)| *name)
@@ -40,13 +43,19 @@ const OTHER_CARDS: [&str; 7] = [" Ti", " SUPER", " GRE", " Laptop", " Max-Q", " 
 
 /// Of the memory, GB/s; `None` for a device whose data sheet is not known here.
 pub fn bandwidth(device: &str) -> Option<f64> {
-    let fits = |part: &str| {
-        device.find(part).is_some_and(|at| {
-            let rest = &device[at + part.len()..];
-            !OTHER_CARDS.iter().any(|end| rest.starts_with(end))
-        })
-    };
-    BANDWIDTHS.iter().find(|(part, _)| fits(part)).map(|(_, gb_per_s)| *gb_per_s)
+    BANDWIDTHS.iter().find(|(part, _)| is_card(device, part)).map(|(_, gb_per_s)| *gb_per_s)
+}
+
+/// Cycles of all SIMDs together in a millisecond; `None` for a device for which the table of shaders was not compiled.
+pub fn cycles_per_ms(device: &str) -> Option<f64> {
+    SIMDS.iter().find(|(part, ..)| is_card(device, part)).map(|(_, simds, ghz)| simds * ghz * 1e6)
+}
+
+fn is_card(device: &str, part: &str) -> bool {
+    device.find(part).is_some_and(|at| {
+        let rest = &device[at + part.len()..];
+        !OTHER_CARDS.iter().any(|end| rest.starts_with(end))
+    })
 }
 
 /// Name and version of the driver; empty where Vulkan is older than 1.2.
@@ -74,7 +83,14 @@ pub unsafe fn driver_of(instance: &ash::Instance, physical: vk::PhysicalDevice) 
 
 #[cfg(test)]
 mod tests {
-    use super::bandwidth;
+    use super::{bandwidth, cycles_per_ms, names, SIMDS};
+
+    #[test]
+    fn cycles_are_those_of_all_simds() {
+        assert_eq!(cycles_per_ms("AMD Radeon RX 6900 XT (RADV NAVI21)"), Some(3.6e8));
+        assert_eq!(cycles_per_ms("AMD Radeon RX 7900 XTX (RADV NAVI31)"), None, "the table is of another family");
+        assert!(SIMDS.iter().all(|(name, ..)| names().any(|known| known == *name)), "--chip takes names with a bandwidth alone");
+    }
 
     #[test]
     fn a_card_is_not_taken_for_its_sister() {

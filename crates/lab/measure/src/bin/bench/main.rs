@@ -56,7 +56,7 @@ fn bench(options: &Options) -> Result<(), Box<dyn Error>> {
     let clock = if cpu_device && !options.timestamps { Clock::ProcessCpuTime } else { Clock::timestamps(&gpu)? };
     let sizes = options.sizes(cpu_device);
     println!("{}; {}; {} rounds of {} frames\n", gpu.name(), clock.title(), options.rounds, options.frames);
-    let mut report = Report::new(&gpu, clock, options.bandwidth.or(options.chip));
+    let mut report = Report::new(&gpu, clock, options.chip.as_deref(), options.bandwidth);
     let measured = |size| -> Result<Vec<Case>, Box<dyn Error>> {
         let (contents, frames, rounds) = (&options.contents(), options.frames, options.rounds);
         Measurement { gpu: &gpu, clock, contents, size, frames, rounds }.run(&graphs(options, size)?)

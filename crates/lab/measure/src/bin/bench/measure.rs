@@ -5,7 +5,7 @@ use super::content::Content;
 use super::report::{Case, Floor, HostCost, Memory, Pass};
 use super::runner::{Frames, Runner};
 use super::statistics::Spread;
-use super::{host_cost, inputs, yardsticks};
+use super::{host_cost, inputs, isa, yardsticks};
 use atrous::executor::{HeadlessDevice, InputSet};
 use atrous::{Declaration, PassDecl, Shape, Tuning};
 use std::error::Error;
@@ -112,13 +112,14 @@ impl Measurement<'_> {
         let Running { graph, content, runner, host } = running;
         let declaration = runner.declaration();
         let empty = floor.empty_submission_ms.median;
-        let pass = |(pass, samples): (&PassDecl, &Vec<f64>)| Pass {
+        let pass = |(i, (pass, samples)): (usize, (&PassDecl, &Vec<f64>))| Pass {
             name: pass.name.clone(),
             stage: pass.stage().unwrap_or(&pass.name).to_owned(),
             time: Spread::of(samples).less(empty),
             bytes: bytes(declaration, pass),
+            cycles: isa::cycles(declaration, i),
         };
-        let passes: Vec<Pass> = declaration.passes().iter().zip(&runner.samples).map(pass).collect();
+        let passes: Vec<Pass> = declaration.passes().iter().zip(&runner.samples).enumerate().map(pass).collect();
         let count = runner.samples.first().map_or(0, Vec::len);
         let sum = |i: usize| runner.samples.iter().map(|s| (s[i] - empty).max(0.0)).sum();
         let sums: Vec<f64> = (0..count).map(sum).collect();

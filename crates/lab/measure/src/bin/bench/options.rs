@@ -58,9 +58,10 @@ pub struct Options {
     /// Memory bandwidth of the device in GB/s, for the floor of each pass; by default that of its data sheet, where it is known here
     #[arg(long, value_parser = bandwidth)]
     pub bandwidth: Option<f64>,
-    /// The chip whose floor is printed in the place of the device's own, such as "RTX 4080"
-    #[arg(long, value_name = "NAME", value_parser = chip_bandwidth, conflicts_with = "bandwidth")]
-    pub chip: Option<f64>,
+    /// The chip whose floor is printed in the place of the device's own, such as "RTX 4080"; of "6900 XT" and "6800 XT" also by the
+    /// cycles of the shaders
+    #[arg(long, value_name = "NAME", value_parser = known_chip, conflicts_with = "bandwidth")]
+    pub chip: Option<String>,
     /// Writes a page about this device to this file, such as you would send to us: docs/gpus.md
     #[arg(long, value_name = "FILE", conflicts_with = "isa")]
     pub report: Option<PathBuf>,
@@ -137,8 +138,8 @@ fn bandwidth(text: &str) -> Result<f64, String> {
     given.ok_or_else(|| format!("\"{text}\" is no bandwidth: give GB/s above 0, such as 960"))
 }
 
-fn chip_bandwidth(name: &str) -> Result<f64, String> {
-    chip::bandwidth(name).ok_or_else(|| {
+fn known_chip(name: &str) -> Result<String, String> {
+    chip::bandwidth(name).map(|_| name.to_owned()).ok_or_else(|| {
         let known: Vec<_> = chip::names().collect();
         format!("\"{name}\" is no chip whose data sheet is known here; there are: {}. Or give its --bandwidth", known.join(", "))
     })

@@ -22,6 +22,9 @@ pub struct Report {
     /// Of the memory, GB/s: as given, or of the data sheet.
     #[serde(default)]
     pub bandwidth: Option<f64>,
+    /// Of all SIMDs together, where the table of shaders is of this chip.
+    #[serde(default)]
+    pub cycles_per_ms: Option<f64>,
     pub clock: Clock,
     /// Fused multiply-adds a pixel of the arithmetic loop.
     pub multiply_adds: u32,
@@ -52,6 +55,9 @@ pub struct Pass {
     pub time: Spread,
     /// Texels of all images that it touches, each read or written once.
     pub bytes: u64,
+    /// Cycles of one SIMD, by the table of shaders; `None` where that has no such shader.
+    #[serde(default)]
+    pub cycles: Option<f64>,
 }
 
 /// Bytes of a graph.
@@ -89,12 +95,15 @@ pub struct Floor {
 }
 
 impl Report {
-    pub fn new(gpu: &HeadlessDevice, clock: Clock, bandwidth: Option<f64>) -> Self {
+    /// `chip`: the one that counts in place of the device; `bandwidth`: in place of that of the data sheet.
+    pub fn new(gpu: &HeadlessDevice, clock: Clock, chip: Option<&str>, bandwidth: Option<f64>) -> Self {
+        let chip = chip.unwrap_or(gpu.name());
         Self {
             format: FORMAT.to_owned(),
             device: gpu.name().to_owned(),
             driver: chip::driver(gpu),
-            bandwidth: bandwidth.or_else(|| chip::bandwidth(gpu.name())),
+            bandwidth: bandwidth.or_else(|| chip::bandwidth(chip)),
+            cycles_per_ms: chip::cycles_per_ms(chip),
             clock,
             multiply_adds: super::yardsticks::MULTIPLY_ADDS,
             cases: Vec::new(),
@@ -104,6 +113,11 @@ impl Report {
     /// Milliseconds that the memory needs for so many bytes; NaN where its bandwidth is not known.
     pub fn floor_ms(&self, bytes: u64) -> f64 {
         self.bandwidth.filter(|_| bytes > 0).map_or(f64::NAN, |gb_per_s| bytes as f64 / gb_per_s * 1e-6)
+    }
+
+    /// Milliseconds that the SIMDs need for so many cycles; NaN where they or the cycles are not known.
+    pub fn cycles_ms(&self, cycles: Option<f64>) -> f64 {
+        cycles.zip(self.cycles_per_ms).map_or(f64::NAN, |(cycles, per_ms)| cycles / per_ms)
     }
 
     pub fn read(path: &Path) -> Result<Self, Box<dyn Error>> {

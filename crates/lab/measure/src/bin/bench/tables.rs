@@ -15,24 +15,30 @@ pub fn passes(report: &Report, case: &Case) -> Result<TextTable, PictureError> {
         ("GB/s", 2),
         ("floor ms", 4),
         ("× floor", 2),
+        ("cycles ms", 4),
+        ("× cycles", 2),
         ("× copy", 2),
         ("× arithmetic", 3),
     ];
     let mut table = TextTable::new(case.name(), columns.map(|(name, decimals)| Column::new(name, decimals)));
     let total: f64 = case.passes.iter().map(|p| p.time.median).sum();
-    let row = |time: Spread, share: f64, bytes: u64| {
+    let row = |time: Spread, share: f64, bytes: u64, cycles: Option<f64>| {
         let (ms, megabytes) = (time.median, bytes as f64 * 1e-6);
         // A pass that touches buffers alone has no bytes to compare.
         let gb_per_s = if bytes == 0 || ms == 0.0 { f64::NAN } else { megabytes / ms };
         let per_pixel = ms * 1e6 / case.pixels();
         let floor = report.floor_ms(bytes);
-        let copy = case.floor.over_copy(ms, bytes);
-        [ms, time.p95, share, per_pixel, megabytes, gb_per_s, floor, ms / floor, copy, ms / case.floor.arithmetic_ms]
+        let (cycles, copy) = (report.cycles_ms(cycles), case.floor.over_copy(ms, bytes));
+        let over_arithmetic = ms / case.floor.arithmetic_ms;
+        [ms, time.p95, share, per_pixel, megabytes, gb_per_s, floor, ms / floor, cycles, ms / cycles, copy, over_arithmetic]
     };
     for pass in &case.passes {
-        table.row(&pass.name, &row(pass.time, 100.0 * pass.time.median / total, pass.bytes))?;
+        table.row(&pass.name, &row(pass.time, 100.0 * pass.time.median / total, pass.bytes, pass.cycles))?;
     }
-    table.row("all passes", &row(case.frame, 100.0, case.passes.iter().map(|p| p.bytes).sum()))?;
+    let bytes = case.passes.iter().map(|p| p.bytes).sum();
+    // Without those of one pass the sum would be no floor of all.
+    let cycles = case.passes.iter().map(|p| p.cycles).sum();
+    table.row("all passes", &row(case.frame, 100.0, bytes, cycles))?;
     Ok(table)
 }
 

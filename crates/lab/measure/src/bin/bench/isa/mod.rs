@@ -8,11 +8,18 @@ mod report;
 mod shaders;
 
 use crate::options::Options;
+use atrous::Declaration;
 use device::{OpenError, StatisticsDevice};
 use report::IsaReport;
 use std::error::Error;
 use std::path::Path;
 use std::process::ExitCode;
+use std::sync::OnceLock;
+
+/// The page with the table of all shaders.
+const PAGE: &str = include_str!("../../../../../../../docs/lab/performance.md");
+/// Invocations of a wave in the table.
+const LANES: u64 = 64;
 
 /// The exit status where no device offers statistics.
 const NO_STATISTICS: u8 = 3;
@@ -46,6 +53,20 @@ pub fn run(options: &Options) -> Result<ExitCode, Box<dyn Error>> {
         std::fs::write(path, text).map_err(|e| format!("{}: {e}", path.display()))?;
     }
     Ok(kept.map_or(ExitCode::SUCCESS, |kept| compared(&kept, &report, options.preset.is_empty())))
+}
+
+/// Cycles of one SIMD that a pass keeps busy in a frame of the allocated extent, by the table of the page; `None` where that lacks the
+/// shader.
+pub fn cycles(declaration: &Declaration, pass: usize) -> Option<f64> {
+    static TABLE: OnceLock<Option<IsaReport>> = OnceLock::new();
+    let pipeline = match declaration.passes().get(pass)?.pipeline() {
+        Some(pipeline) => pipeline,
+        // An upload keeps no SIMD busy.
+        None => return Some(0.0),
+    };
+    let table = TABLE.get_or_init(|| IsaReport::from_markdown(PAGE).ok()).as_ref()?;
+    let of_wave = table.find(&shaders::name(&pipeline))?.statistics.get(report::INVERSE_THROUGHPUT)?;
+    Some(declaration.invocations(pass).div_ceil(LANES) as f64 * of_wave)
 }
 
 fn read(path: &Path) -> Result<IsaReport, Box<dyn Error>> {

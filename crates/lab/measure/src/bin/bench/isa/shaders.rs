@@ -41,7 +41,8 @@ pub fn pipelines(declarations: &[Declaration]) -> BTreeMap<String, PipelineDecl<
     passes.filter_map(|pass| pass.pipeline()).map(|pipeline| (name(&pipeline), pipeline)).collect()
 }
 
-fn name(pipeline: &PipelineDecl<'_>) -> String {
+/// As the table names it: the module, and the constants that a node sets.
+pub fn name(pipeline: &PipelineDecl<'_>) -> String {
     let mut name = pipeline.module.to_owned();
     for constant in pipeline.constants.iter().filter(|constant| constant.name != SET_FOR_ALL) {
         // A mask of bindings is read by its digits.
