@@ -55,6 +55,12 @@ impl Glsl {
         variants
     }
 
+    /// `// optional: a, b`: the bindings that may have nothing, of every such line.
+    pub fn optional(&self) -> Vec<String> {
+        let lines = self.source.lines().filter_map(|line| line.strip_prefix("// optional:"));
+        lines.flat_map(|names| names.split(',')).map(|name| name.trim().to_owned()).collect()
+    }
+
     /// One module. The error is the compiler's text, which does not name the variant: file (an include's, where the mistake is
     /// there), line, problem.
     pub fn compile(&self, compiler: &Compiler, variant: &Variant, detail: Detail) -> Result<Vec<u32>, String> {

@@ -76,7 +76,7 @@ struct Source<'a> {
 impl<'a> Source<'a> {
     fn read(file: &'a Path, includes: &[PathBuf]) -> Result<Self, Box<dyn Error>> {
         let glsl = Glsl::read(file, includes)?;
-        Ok(Self { file, optional: optional(&fs::read_to_string(file)?), variants: glsl.variants(), glsl })
+        Ok(Self { file, optional: glsl.optional(), variants: glsl.variants(), glsl })
     }
 }
 
@@ -131,12 +131,6 @@ fn module(source: &Source, compiler: &Compiler, variant: &Variant) -> Result<Mod
     let shader = reflect(&stage, name, Vec::new(), &named, &source.optional)?;
     let interface = format!("({name:?}, &{:?}),\n", interface(&named)?);
     Ok(Module { bytes, entry: entry(&shader)?, asserts: asserts(&named)?, interface })
-}
-
-/// Names after `// optional:`, of every such line.
-fn optional(source: &str) -> Vec<String> {
-    let lines = source.lines().filter_map(|line| line.strip_prefix("// optional:"));
-    lines.flat_map(|names| names.split(',')).map(|name| name.trim().to_owned()).collect()
 }
 
 /// The sources of a module: the shader and every file that it includes, the macros, and this program.
