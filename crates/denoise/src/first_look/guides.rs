@@ -10,7 +10,8 @@ use crate::setup::Setup;
 
 /// The share of the tiles from which on a guide is left out.
 const NOISY: f32 = 0.35;
-/// The same where the motion of the surfaces is not known.
+/// The same where the place of a surface in the frame before is not known: without its motion, or with jitter, by which a fine
+/// texture differs from frame to frame.
 const NOISY_UNKNOWN: f32 = 0.6;
 
 /// What is done about noise in a guide.
@@ -62,7 +63,8 @@ pub fn check(pair: &[FrameInputs; 2], setup: &mut Setup) -> Result<()> {
     // Matrices alone do not say where a surface was.
     let has_depth = DEPTH.iter().any(|role| setup.mapping.has(*role));
     let is_known = setup.mapping.has(Role::Motion) || (setup.sequence.is_some() && has_depth);
-    let limit = if is_known { NOISY } else { NOISY_UNKNOWN };
+    let is_jittered = pair.iter().any(|frame| frame.params.jitter != [0.0; 2]);
+    let limit = if is_known && !is_jittered { NOISY } else { NOISY_UNKNOWN };
     let share = |values: [Vec<f32>; 2]| {
         let values = values.each_ref().map(Vec::as_slice);
         Pair { extent: now.params.render_extent, values, motion_px: &surface.motion_px }.noisy_share()

@@ -1,7 +1,7 @@
 //! Guides and parts of the light that are noise, or that lack something.
 
 use super::look_tests::{folder, looked_at, red, written};
-use crate::samples::scene::{Frame, Scene};
+use crate::samples::scene::{Frame, Scene, SIZE};
 use crate::samples::{self, frame_path, Sample, Type};
 use atrous_denoise::exr_read::{read, Samples};
 use atrous_denoise::roles::Role;
@@ -86,6 +86,30 @@ fn a_texture_that_moves_is_no_noise() {
         frame.add(sample, "albedo", "RGB", |s| s.albedo)
     });
     assert!(looked_at(input.path()).0.mapping.has(Role::Albedo));
+}
+
+/// Jitter meets a print that is finer than pixels elsewhere in every frame.
+#[test]
+fn a_fine_print_of_jittered_frames_is_no_noise() {
+    let is_taken = |jitter: &str, tiles: usize| {
+        let input = written(Scene::default(), 2, |number, frame| {
+            let mut pixels = frame.pixels.to_vec();
+            for (i, seen) in pixels.iter_mut().enumerate() {
+                let (x, y) = (i % SIZE[0], i / SIZE[0]);
+                if 3 * (y / 16).min(1) + (x / 16).min(2) < tiles {
+                    seen.albedo = [0.2 + 0.6 * samples::noise(x as i32, y as i32, 90 + number); 3];
+                }
+            }
+            Frame { pixels: std::rc::Rc::new(pixels) }.plain()
+        });
+        let path = input.path().join("sequence.json");
+        let cameras = std::fs::read_to_string(&path).expect("cameras");
+        std::fs::write(&path, cameras.replace(r#""view""#, &format!(r#""jitter": {jitter}, "view""#))).expect("a file");
+        looked_at(input.path()).0.mapping.has(Role::Albedo)
+    };
+    assert!(is_taken("[0.25, -0.25]", 3), "half of the picture is printed");
+    assert!(!is_taken("[0.0, 0.0]", 3), "the same pixels of a surface cannot differ");
+    assert!(!is_taken("[0.25, -0.25]", 6), "hardly all of a picture is printed");
 }
 
 /// Rough metal of Mitsuba: its lobe by the angle to the eye.
