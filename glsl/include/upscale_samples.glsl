@@ -10,8 +10,7 @@ const int ROWS = COLUMN + 2;
 
 // Sharpness of the Gaussian of samples of a first picture, by squared rendered pixels.
 const float SHARPNESS = 2.29;
-// That of one with a past, by the product of distances in rendered pixels and in those of the output: where every frame has a sample in the
-// pixel, wider ones would bring in what lies beside it.
+// That of one with a past, by the product of distances in rendered pixels and in those of the output.
 const float LATER_SHARPNESS = 4.58;
 // That of the light around and of the box which clips the past, by squared rendered pixels.
 const float BOX_SHARPNESS = 0.5;
@@ -70,7 +69,7 @@ Sample sample_at(ivec2 q) {
 
 struct Neighbourhood {
     vec4 first, later;     // colour times its share, and the share: for a first picture and for one with a past
-    float weight;          // of the samples close by
+    float weight;          // of the samples of the later one
     vec3 light;            // irradiance around
     vec3 mean, deviation;  // YCoCg of colours times evenness
     ivec2 nearest;         // pixel of the nearest surface
@@ -92,7 +91,9 @@ struct Weight {
 Weight weight_of(int q, int middle, float centre, float jitter, float scale, int extent) {
     float d = float(middle) + 0.5 + jitter - centre + float(q - middle), narrow = d * scale;
     float counts = abs(q - middle) <= 1 && q >= 0 && q < extent ? 1.0 : 0.0;
-    return Weight(counts * exp(-SHARPNESS * d * d), counts * exp(-LATER_SHARPNESS * d * narrow), counts * exp(-BOX_SHARPNESS * d * d));
+    // Others would bring the radiance of a lamp beside the pixel into it.
+    float later = SHOWN || q == middle ? counts * exp(-LATER_SHARPNESS * d * narrow) : 0.0;
+    return Weight(counts * exp(-SHARPNESS * d * d), later, counts * exp(-BOX_SHARPNESS * d * d));
 }
 
 // Weighted sums over samples.

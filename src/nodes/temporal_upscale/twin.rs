@@ -162,6 +162,7 @@ struct Neighbourhood {
     first: Vec4,
     /// That of one with a past.
     later: Vec4,
+    /// Of the samples of the later picture.
     weight: f32,
     light: Vec3,
     mean: Vec3,
@@ -266,11 +267,13 @@ impl<'a> Scene<'a> {
         for (q, distance, s) in taps() {
             let shared = s.radiance.extend(1.0) * self.shown.share(s.radiance);
             let wide = (-SHARPNESS * distance.length_squared()).exp();
-            let narrow = (-LATER_SHARPNESS * distance.dot(distance * scale)).exp();
             first += wide * shared;
             total += wide;
-            later += narrow * shared;
-            weight += narrow;
+            if q == middle || !self.shown.divides {
+                let narrow = (-LATER_SHARPNESS * distance.dot(distance * scale)).exp();
+                later += narrow * shared;
+                weight += narrow;
+            }
             if !s.surface.is_background() && s.surface.linear_depth < depth {
                 (nearest, depth) = (q, s.surface.linear_depth);
             }
