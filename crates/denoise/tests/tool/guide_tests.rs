@@ -109,7 +109,7 @@ fn a_fine_print_of_jittered_frames_is_no_noise() {
     };
     assert!(is_taken("[0.25, -0.25]", 3), "half of the picture is printed");
     assert!(!is_taken("[0.0, 0.0]", 3), "the same pixels of a surface cannot differ");
-    assert!(!is_taken("[0.25, -0.25]", 6), "hardly all of a picture is printed");
+    assert!(!is_taken("[0.25, -0.25]", 6), "noise in all of the picture is no print");
 }
 
 /// Rough metal of Mitsuba: its lobe by the angle to the eye.
