@@ -4,10 +4,10 @@
 // by the albedo as it is.
 // With UPSAMPLED the irradiance has fewer pixels, and is brought to each rendered one first, as upsample does; so it is never stored.
 // In:  filtered irradiance per signal; albedo and emission of the host, and for specular light, the second signal then, an albedo of its own,
-//      or specular_f0; guide, with UPSAMPLED of the pixels with light, and rendered_guide of all. Out: denoised_radiance, linear Rec. 709.
+//      or specular_f0; guide; where light has fewer pixels also the host's depth, normal and surface_id. Out: denoised_radiance, linear Rec. 709.
 // Constant SPECULAR: the second signal is specular light. Without it both albedos add up, as those of mixed light do.
 // variants: FLOAT=0 FLOAT=1 FLOAT=0,UPSAMPLED=1 FLOAT=1,UPSAMPLED=1
-// optional: albedo, emission, filtered_1, specular_albedo, specular_f0, roughness
+// optional: albedo, emission, filtered_1, specular_albedo, specular_f0, roughness, depth, normal, surface_id
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
@@ -38,21 +38,22 @@ const uint FILTERED_1 = 7u;
 const uint SPECULAR_ALBEDO = 8u;
 const uint SPECULAR_F0 = 9u;
 const uint ROUGHNESS = 11u;
+const uint DEPTH = 12u;
+const uint NORMAL = 13u;
+const uint SURFACE_ID_IMAGE = 14u;
 
 #if UPSAMPLED
-layout(set = 0, binding = 2) uniform utexture2D rendered_guide;
-layout(set = 0, binding = 10) uniform utexture2D guide;
 // Nobody sets it: its default tells the variant.
 layout(constant_id = 2) const bool GATHERS = true;
-#else
-layout(set = 0, binding = 2) uniform utexture2D guide;
 #endif
+layout(set = 0, binding = 2) uniform utexture2D guide;
 layout(set = 0, binding = EMISSION) uniform texture2D emission;
 layout(set = 0, binding = DENOISED_RADIANCE, OUTGOING_FORMAT) uniform writeonly image2D denoised_radiance;
 layout(set = 0, binding = FILTERED_0) uniform texture2D filtered_0;
 layout(set = 0, binding = FILTERED_1) uniform texture2D filtered_1;
 
 #include "divisor.glsl"
+#include "rendered_guide.glsl"
 
 // Light that comes divided is multiplied by the albedo itself.
 vec3 factor_at(ivec2 p, GuideBits packed, bool second) {
@@ -101,7 +102,7 @@ void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
     vec3 second = is_present(FILTERED_1) ? texelFetch(filtered_1, host_pixel(FILTERED_1, p), 0).rgb : vec3(0.0);
-    GuideBits packed = GuideBits(texelFetch(guide, p, 0));
+    GuideBits packed = rendered_guide_at(p);
     modulate(p, packed, texelFetch(filtered_0, host_pixel(FILTERED_0, p), 0).rgb, second);
 }
 #endif

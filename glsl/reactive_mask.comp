@@ -1,10 +1,10 @@
 #version 450
 // Tells an upscaler where its own history of the denoised picture is worth little: for FSR, XeSS and DLSS.
 // Source: none; the share of new light is that of [SVGF] 4.1, the change of light that of [ASVGF] 3.5.
-// In:  rendered_guide; guide of the pixels with light, which may be fewer; luminance_history per signal; history_confidence; denoised radiance;
-//      emission of the host. Out: reactive_mask: r: share of the pixel that is new in this frame; g: share of its light that no filter has seen,
+// In:  guide of the pixels with light; where those are fewer also depth and surface_id of the host; luminance_history per signal;
+//      history_confidence; denoised radiance; emission of the host. Out: reactive_mask: r: share of the pixel that is new in this frame; g: share of its light that no filter has seen,
 //      since it is emitted; b: 0; a: 1.
-// optional: luminance_history_1, history_confidence, emission
+// optional: luminance_history_1, history_confidence, emission, depth, surface_id
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 
@@ -28,6 +28,8 @@ const uint HISTORY_CONFIDENCE = 4u;
 const uint RADIANCE = 5u;
 const uint EMISSION = 6u;
 const uint REACTIVE_MASK = 7u;
+const uint DEPTH = 8u;
+const uint SURFACE_ID_IMAGE = 9u;
 
 layout(set = 0, binding = 1) uniform utexture2D guide;
 layout(set = 0, binding = 2) uniform utexture2D luminance_history_0;
@@ -36,11 +38,19 @@ layout(set = 0, binding = HISTORY_CONFIDENCE) uniform texture2D history_confiden
 layout(set = 0, binding = RADIANCE) uniform texture2D radiance;
 layout(set = 0, binding = EMISSION) uniform texture2D emission;
 layout(set = 0, binding = REACTIVE_MASK, rgba16f) uniform writeonly image2D reactive_mask;
-layout(set = 0, binding = 8) uniform utexture2D rendered_guide;
+layout(set = 0, binding = DEPTH) uniform texture2D depth;
+layout(set = 0, binding = SURFACE_ID_IMAGE) uniform utexture2D surface_id;
+
+#include "host_depth.glsl"
+#include "surface_id.glsl"
 
 float frames_of(uint packed) { return max(unpack_luminance_history(packed).history_length, 1.0); }
 
-float depth_at(ivec2 p) { return guide_depth(GuideBits(texelFetch(rendered_guide, p, 0))); }
+// Of a rendered pixel.
+float depth_at(ivec2 p) {
+    if (!is_present(DEPTH)) return guide_depth(GuideBits(texelFetch(guide, p, 0)));
+    return depth_of(texelFetch(depth, host_pixel(DEPTH, p), 0).x, id_at(p), p);
+}
 
 // Of the 2x2 pixels of light around a rendered pixel the one whose surface is nearest to its depth. With light of every pixel, its own.
 ivec2 light_pixel(ivec2 p, float z) {

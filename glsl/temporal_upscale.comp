@@ -3,7 +3,7 @@
 // Source: [Karis 2014] High Quality Temporal Supersampling; the clip is the variance clip of [Salvi 2016] in YCoCg.
 // Ours: the history is radiance divided by the light around, so that light that changes causes no lag; and it knows its weight.
 // In:  radiance of surfaces, of a volume, or of both, which are added; albedo of the host; guide; surface_motion, or where
-//      SURFACE_ID is defined the host's motion, of which every rendered pixel has none else; upscale_history. All but the last one per
+//      SURFACE_ID is defined depth and motion of the host, since light has fewer pixels; upscale_history. All but the last one per
 //      rendered pixel, linear Rec. 709.
 // Out: upscale_history and upscaled_radiance, per pixel of the output.
 // Constant SHOWN: a tone map follows, so means are those of a display.
@@ -47,20 +47,22 @@ const uint RADIANCE_0 = 1u;
 #endif
 const uint RADIANCE_1 = 2u;
 const uint ALBEDO = 3u;
+const uint DEPTH = 4u;
 const uint UPSCALED_RADIANCE = 8u;
 
 layout(set = 0, binding = RADIANCE_0) uniform texture2D radiance_0;
 layout(set = 0, binding = RADIANCE_1) uniform texture2D radiance_1;
 layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
 // Storage images where neighbours are read, for the reasons that packed_image.glsl has.
-layout(set = 0, binding = 4, rgba16ui) uniform restrict readonly uimage2D guide;
 #ifdef SURFACE_ID
+layout(set = 0, binding = DEPTH) uniform texture2D depth;
 layout(set = 0, binding = MOTION) uniform texture2D motion;
 layout(set = 0, binding = INSTANCE_TRANSFORMS, std430) readonly buffer InstanceTransforms { vec4 rows[]; } instance_transforms;
 #if SURFACE_ID
 layout(set = 0, binding = SURFACE_ID_IMAGE) uniform utexture2D surface_id;
 #endif
 #else
+layout(set = 0, binding = DEPTH, rgba16ui) uniform restrict readonly uimage2D guide;
 layout(set = 0, binding = 5) uniform utexture2D surface_motion;
 #endif
 layout(set = 0, binding = 6, rgba16ui) uniform restrict readonly uimage2D previous_upscale_history;
@@ -71,6 +73,15 @@ layout(set = 0, binding = UPSCALED_RADIANCE, OUTGOING_FORMAT) uniform writeonly 
 #include "surface_id.glsl"
 #include "host_motion.glsl"
 #endif
+
+// Of a rendered pixel; 0: background.
+float depth_at(ivec2 p) {
+#ifdef SURFACE_ID
+    return depth_of(texelFetch(depth, host_pixel(DEPTH, p), 0).x, id_at(p), p);
+#else
+    return guide_depth(GuideBits(imageLoad(guide, p)));
+#endif
+}
 
 // Of the surface of a rendered pixel at a depth.
 SurfaceMotion motion_at(ivec2 p, float depth) {

@@ -2,10 +2,11 @@
 // Brings light that was filtered at fewer pixels to each pixel of the guides: joint bilateral, by planes and normals. An invocation has a
 // pixel of light, and writes the rendered pixels that it stands for: their taps are the same.
 // Source: [Kopf 2007], joint bilateral upsampling; the weights are ours.
-// In:  rendered_guide of every pixel; guide of the pixels with light; filtered irradiance per signal, or with NUMBER one visibility.
+// In:  depth, normal, surface_id and albedo of the host; guide of the pixels with light; filtered irradiance per signal, or with NUMBER one
+//      visibility.
 // Out: upsampled, the same for every pixel.
 // variants: NUMBER=0 NUMBER=1
-// optional: filtered_1, upsampled_1
+// optional: filtered_1, upsampled_1, normal, surface_id, albedo
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
@@ -23,11 +24,15 @@ layout(local_size_x = 32, local_size_y = 2) in;
 
 const uint FILTERED_1 = 4u;
 const uint UPSAMPLED_1 = 6u;
+const uint DEPTH = 1u;
+const uint NORMAL = 7u;
+const uint SURFACE_ID_IMAGE = 8u;
+const uint ALBEDO = 9u;
 
-layout(set = 0, binding = 1) uniform utexture2D rendered_guide;
 layout(set = 0, binding = 2) uniform utexture2D guide;
 layout(set = 0, binding = 3) uniform texture2D filtered_0;
 layout(set = 0, binding = FILTERED_1) uniform texture2D filtered_1;
+layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
 #if NUMBER
 #define FORMAT r32f
 #else

@@ -86,14 +86,18 @@ vec2 unpack_gradient(uint code, float linear_depth) {
     return slope == 0u ? vec2(0.0) : direction * (uintBitsToFloat(slope + LEAST_SLOPE << 21) * linear_depth);
 }
 
-GuideBits pack_guide(Guide g) {
-    float linear_depth = clamp(g.linear_depth, LEAST_GUIDE_DEPTH, LARGEST_GUIDE_DEPTH);
+float guide_depth_of(float linear_depth) { return clamp(linear_depth, LEAST_GUIDE_DEPTH, LARGEST_GUIDE_DEPTH); }
+
+// `gradient`: its code.
+GuideBits pack_guide(Guide g, uint gradient) {
+    float linear_depth = guide_depth_of(g.linear_depth);
     uint depth = floatBitsToUint(linear_depth) - DEPTH_EXPONENT + 0x400u & DEPTH_BITS | (g.is_apart ? APART_BIT : 0u);
-    uint gradient = pack_gradient(g.gradient, linear_depth);
     uint word = depth | gradient & 0x7ffu | gradient >> 11 << 29;
     uvec3 n = uvec3(floor(g.normal * NORMAL_STEPS + (NORMAL_STEPS + 0.5)));
     return GuideBits(uvec4(word & 0xffffu, word >> 16, n.x | n.y << 8, n.z | g.id8 << 8));
 }
+
+GuideBits pack_guide(Guide g) { return pack_guide(g, pack_gradient(g.gradient, guide_depth_of(g.linear_depth))); }
 
 uint guide_word(GuideBits packed) { return packed.bits.x | packed.bits.y << 16; }
 // Negative where light is kept apart, 0 in the background; else of a size that says nothing.

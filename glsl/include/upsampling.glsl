@@ -1,9 +1,10 @@
 // Joint bilateral upsampling of filtered light, by planes and normals. An invocation has a pixel of light, and a cell of the rendered pixels
-// that it stands for: their taps are the same. Needs GUIDE_PIXELS, optional.glsl, and the bindings `rendered_guide` of every pixel, `guide` of
-// those with light, and `filtered_0` and `filtered_1`. Twin: src/nodes/upsample/twin.rs.
+// that it stands for: their taps are the same. Needs the bindings `guide` of the pixels with light, `filtered_0` and `filtered_1`, and
+// those of rendered_guide.glsl. Twin: src/nodes/upsample/twin.rs.
 #ifndef UPSAMPLING_GLSL
 #define UPSAMPLING_GLSL
 #include "guide.glsl"
+#include "rendered_guide.glsl"
 #include "view_position.glsl"
 #include "volume.glsl"
 
@@ -42,7 +43,7 @@ struct Centre {
 const int CELL = 4;
 
 Centre centre_at(ivec2 p, vec2 middle) {
-    GuideBits packed = GuideBits(texelFetch(rendered_guide, p, 0));
+    GuideBits packed = rendered_guide_at(p);
     Centre c;
     c.packed = packed;
     c.depth = guide_depth(packed);

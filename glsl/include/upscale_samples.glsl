@@ -1,5 +1,5 @@
 // Samples of this frame around pixels of the output, for temporal_upscale: an invocation has a column of pixels, which have most of their
-// samples in common. Needs the bindings `radiance_0`, `radiance_1`, `albedo` and `guide`, SHOWN, `tone_curve` and `exposure` in the block
+// samples in common. Needs the bindings `radiance_0`, `radiance_1` and `albedo`, `depth_at`, SHOWN, `tone_curve` and `exposure` in the block
 // `push`, optional.glsl, viewport.glsl and demodulation.glsl.
 #ifndef UPSCALE_SAMPLES_GLSL
 #define UPSCALE_SAMPLES_GLSL
@@ -61,7 +61,7 @@ Sample sample_at(ivec2 q) {
     Sample s;
     s.radiance = clamp(exposed(radiance), 0.0, brightest_sample());
     s.irradiance = clamp(exposed(radiance), 0.0, BRIGHTEST_SAMPLE);
-    float depth = guide_depth(GuideBits(imageLoad(guide, q)));
+    float depth = depth_at(q);
     if (is_present(ALBEDO) && depth > 0.0) s.irradiance /= divisor_of(texelFetch(albedo, host_pixel(ALBEDO, q), 0).rgb);
     s.depth = depth > 0.0 ? depth : NOWHERE;
     return s;

@@ -902,6 +902,9 @@ pub(crate) static MODULATE_FLOAT_0: Shader = Shader {
         ShaderBinding { number: 8, name: Cow::Borrowed("specular_albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 9, name: Cow::Borrowed("specular_f0"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 11, name: Cow::Borrowed("roughness"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 12, name: Cow::Borrowed("depth"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 13, name: Cow::Borrowed("normal"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 14, name: Cow::Borrowed("surface_id"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
@@ -909,6 +912,7 @@ pub(crate) static MODULATE_FLOAT_0: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("SPECULAR"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("APART"), id: 4, scalar: Scalar::Bool, default: 1 },
         SpecialisationConstant { name: Cow::Borrowed("WIDE"), id: 9, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
@@ -928,6 +932,9 @@ pub(crate) static MODULATE_FLOAT_1: Shader = Shader {
         ShaderBinding { number: 8, name: Cow::Borrowed("specular_albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 9, name: Cow::Borrowed("specular_f0"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 11, name: Cow::Borrowed("roughness"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 12, name: Cow::Borrowed("depth"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 13, name: Cow::Borrowed("normal"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 14, name: Cow::Borrowed("surface_id"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
@@ -935,6 +942,7 @@ pub(crate) static MODULATE_FLOAT_1: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("SPECULAR"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("APART"), id: 4, scalar: Scalar::Bool, default: 1 },
         SpecialisationConstant { name: Cow::Borrowed("WIDE"), id: 9, scalar: Scalar::Bool, default: 1 },
         SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
@@ -945,7 +953,7 @@ pub(crate) static MODULATE_FLOAT_0_UPSAMPLED_1: Shader = Shader {
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
-        ShaderBinding { number: 2, name: Cow::Borrowed("rendered_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
         ShaderBinding { number: 3, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 4, name: Cow::Borrowed("emission"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 5, name: Cow::Borrowed("denoised_radiance"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
@@ -953,8 +961,10 @@ pub(crate) static MODULATE_FLOAT_0_UPSAMPLED_1: Shader = Shader {
         ShaderBinding { number: 7, name: Cow::Borrowed("filtered_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 8, name: Cow::Borrowed("specular_albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 9, name: Cow::Borrowed("specular_f0"), kind: BindingKind::SampledImage(Component::Float), optional: true },
-        ShaderBinding { number: 10, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
         ShaderBinding { number: 11, name: Cow::Borrowed("roughness"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 12, name: Cow::Borrowed("depth"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 13, name: Cow::Borrowed("normal"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 14, name: Cow::Borrowed("surface_id"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
@@ -964,6 +974,7 @@ pub(crate) static MODULATE_FLOAT_0_UPSAMPLED_1: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("SPECULAR"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("GATHERS"), id: 2, scalar: Scalar::Bool, default: 1 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 3, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("APART"), id: 4, scalar: Scalar::Bool, default: 1 },
         SpecialisationConstant { name: Cow::Borrowed("WIDE"), id: 9, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
@@ -974,7 +985,7 @@ pub(crate) static MODULATE_FLOAT_1_UPSAMPLED_1: Shader = Shader {
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
-        ShaderBinding { number: 2, name: Cow::Borrowed("rendered_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
         ShaderBinding { number: 3, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 4, name: Cow::Borrowed("emission"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 5, name: Cow::Borrowed("denoised_radiance"), kind: BindingKind::StorageImage(TexelFormat::Rgba32f, BindingAccess::WriteOnly), optional: false },
@@ -982,8 +993,10 @@ pub(crate) static MODULATE_FLOAT_1_UPSAMPLED_1: Shader = Shader {
         ShaderBinding { number: 7, name: Cow::Borrowed("filtered_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 8, name: Cow::Borrowed("specular_albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 9, name: Cow::Borrowed("specular_f0"), kind: BindingKind::SampledImage(Component::Float), optional: true },
-        ShaderBinding { number: 10, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
         ShaderBinding { number: 11, name: Cow::Borrowed("roughness"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 12, name: Cow::Borrowed("depth"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 13, name: Cow::Borrowed("normal"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 14, name: Cow::Borrowed("surface_id"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
@@ -993,6 +1006,7 @@ pub(crate) static MODULATE_FLOAT_1_UPSAMPLED_1: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("SPECULAR"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("GATHERS"), id: 2, scalar: Scalar::Bool, default: 1 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 3, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("APART"), id: 4, scalar: Scalar::Bool, default: 1 },
         SpecialisationConstant { name: Cow::Borrowed("WIDE"), id: 9, scalar: Scalar::Bool, default: 1 },
         SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
@@ -1033,43 +1047,8 @@ pub(crate) static REACTIVE_MASK: Shader = Shader {
         ShaderBinding { number: 5, name: Cow::Borrowed("radiance"), kind: BindingKind::SampledImage(Component::Float), optional: false },
         ShaderBinding { number: 6, name: Cow::Borrowed("emission"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 7, name: Cow::Borrowed("reactive_mask"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
-        ShaderBinding { number: 8, name: Cow::Borrowed("rendered_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
-    ]),
-    members: Cow::Borrowed(&[
-        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
-    ]),
-    constants: Cow::Borrowed(&[
-        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
-        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
-    ]),
-};
-pub(crate) static RENDERED_GUIDE_SURFACE_ID_0: Shader = Shader {
-    stage: Cow::Borrowed("rendered_guide"), name: Cow::Borrowed("rendered_guide_surface_id_0"), spirv: Cow::Borrowed(include_bytes!("rendered_guide_surface_id_0.spv")), workgroup: [64, 1, 1],
-    bindings: Cow::Borrowed(&[
-        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
-        ShaderBinding { number: 1, name: Cow::Borrowed("depth"), kind: BindingKind::SampledImage(Component::Float), optional: false },
-        ShaderBinding { number: 2, name: Cow::Borrowed("normal"), kind: BindingKind::SampledImage(Component::Float), optional: false },
-        ShaderBinding { number: 4, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
-        ShaderBinding { number: 5, name: Cow::Borrowed("rendered_guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
-    ]),
-    members: Cow::Borrowed(&[
-        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
-    ]),
-    constants: Cow::Borrowed(&[
-        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
-        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
-        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
-    ]),
-};
-pub(crate) static RENDERED_GUIDE_SURFACE_ID_1: Shader = Shader {
-    stage: Cow::Borrowed("rendered_guide"), name: Cow::Borrowed("rendered_guide_surface_id_1"), spirv: Cow::Borrowed(include_bytes!("rendered_guide_surface_id_1.spv")), workgroup: [64, 1, 1],
-    bindings: Cow::Borrowed(&[
-        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
-        ShaderBinding { number: 1, name: Cow::Borrowed("depth"), kind: BindingKind::SampledImage(Component::Float), optional: false },
-        ShaderBinding { number: 2, name: Cow::Borrowed("normal"), kind: BindingKind::SampledImage(Component::Float), optional: false },
-        ShaderBinding { number: 4, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
-        ShaderBinding { number: 5, name: Cow::Borrowed("rendered_guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
-        ShaderBinding { number: 6, name: Cow::Borrowed("surface_id"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 8, name: Cow::Borrowed("depth"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 9, name: Cow::Borrowed("surface_id"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
@@ -1338,7 +1317,7 @@ pub(crate) static TEMPORAL_UPSCALE_FLOAT_0_SURFACE_ID_0: Shader = Shader {
         ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
         ShaderBinding { number: 2, name: Cow::Borrowed("radiance_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 3, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
-        ShaderBinding { number: 4, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("depth"), kind: BindingKind::SampledImage(Component::Float), optional: false },
         ShaderBinding { number: 5, name: Cow::Borrowed("motion"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 6, name: Cow::Borrowed("previous_upscale_history"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
         ShaderBinding { number: 7, name: Cow::Borrowed("upscale_history"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
@@ -1368,7 +1347,7 @@ pub(crate) static TEMPORAL_UPSCALE_FLOAT_0_SURFACE_ID_1: Shader = Shader {
         ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
         ShaderBinding { number: 2, name: Cow::Borrowed("radiance_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 3, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
-        ShaderBinding { number: 4, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("depth"), kind: BindingKind::SampledImage(Component::Float), optional: false },
         ShaderBinding { number: 5, name: Cow::Borrowed("motion"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 6, name: Cow::Borrowed("previous_upscale_history"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
         ShaderBinding { number: 7, name: Cow::Borrowed("upscale_history"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
@@ -1399,7 +1378,7 @@ pub(crate) static TEMPORAL_UPSCALE_FLOAT_1_SURFACE_ID_0: Shader = Shader {
         ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
         ShaderBinding { number: 2, name: Cow::Borrowed("radiance_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 3, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
-        ShaderBinding { number: 4, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("depth"), kind: BindingKind::SampledImage(Component::Float), optional: false },
         ShaderBinding { number: 5, name: Cow::Borrowed("motion"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 6, name: Cow::Borrowed("previous_upscale_history"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
         ShaderBinding { number: 7, name: Cow::Borrowed("upscale_history"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
@@ -1429,7 +1408,7 @@ pub(crate) static TEMPORAL_UPSCALE_FLOAT_1_SURFACE_ID_1: Shader = Shader {
         ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
         ShaderBinding { number: 2, name: Cow::Borrowed("radiance_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 3, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
-        ShaderBinding { number: 4, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("depth"), kind: BindingKind::SampledImage(Component::Float), optional: false },
         ShaderBinding { number: 5, name: Cow::Borrowed("motion"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 6, name: Cow::Borrowed("previous_upscale_history"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
         ShaderBinding { number: 7, name: Cow::Borrowed("upscale_history"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
@@ -1476,12 +1455,15 @@ pub(crate) static UPSAMPLE_NUMBER_0: Shader = Shader {
     stage: Cow::Borrowed("upsample"), name: Cow::Borrowed("upsample_number_0"), spirv: Cow::Borrowed(include_bytes!("upsample_number_0.spv")), workgroup: [32, 2, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
-        ShaderBinding { number: 1, name: Cow::Borrowed("rendered_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("depth"), kind: BindingKind::SampledImage(Component::Float), optional: false },
         ShaderBinding { number: 2, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
         ShaderBinding { number: 3, name: Cow::Borrowed("filtered_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
         ShaderBinding { number: 4, name: Cow::Borrowed("filtered_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 5, name: Cow::Borrowed("upsampled_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
         ShaderBinding { number: 6, name: Cow::Borrowed("upsampled_1"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: true },
+        ShaderBinding { number: 7, name: Cow::Borrowed("normal"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 8, name: Cow::Borrowed("surface_id"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 9, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
@@ -1489,6 +1471,8 @@ pub(crate) static UPSAMPLE_NUMBER_0: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 3, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("APART"), id: 4, scalar: Scalar::Bool, default: 1 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -1496,12 +1480,15 @@ pub(crate) static UPSAMPLE_NUMBER_1: Shader = Shader {
     stage: Cow::Borrowed("upsample"), name: Cow::Borrowed("upsample_number_1"), spirv: Cow::Borrowed(include_bytes!("upsample_number_1.spv")), workgroup: [32, 2, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
-        ShaderBinding { number: 1, name: Cow::Borrowed("rendered_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("depth"), kind: BindingKind::SampledImage(Component::Float), optional: false },
         ShaderBinding { number: 2, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
         ShaderBinding { number: 3, name: Cow::Borrowed("filtered_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
         ShaderBinding { number: 4, name: Cow::Borrowed("filtered_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 5, name: Cow::Borrowed("upsampled_0"), kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly), optional: false },
         ShaderBinding { number: 6, name: Cow::Borrowed("upsampled_1"), kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly), optional: true },
+        ShaderBinding { number: 7, name: Cow::Borrowed("normal"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 8, name: Cow::Borrowed("surface_id"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 9, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
@@ -1509,6 +1496,8 @@ pub(crate) static UPSAMPLE_NUMBER_1: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 3, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("APART"), id: 4, scalar: Scalar::Bool, default: 1 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -2076,4 +2065,4 @@ pub(crate) static VOLUME_POINTS: Shader = Shader {
     ]),
 };
 #[cfg(test)]
-pub(crate) static ALL: &[&Shader] = &[&ATROUS_SIGNALS_1, &ATROUS_SIGNALS_2, &ATROUS_SIGNALS_1_SPECULAR_1, &ATROUS_SIGNALS_2_SPECULAR_1, &ATROUS_SIGNALS_1_MATERIAL_1, &ATROUS_SIGNALS_2_MATERIAL_1, &ATROUS_SIGNALS_1_SPECULAR_1_MATERIAL_1, &ATROUS_SIGNALS_2_SPECULAR_1_MATERIAL_1, &BLOCK_DIFFERENCE, &BLOCK_PERCENTILES, &CHANGE_TEST, &CLEAR_CLAIMS, &DEBUG_VIEW, &DEMODULATE_LUMINANCE_0, &DEMODULATE_LUMINANCE_1, &EAW_SIGNALS_1, &EAW_SIGNALS_2, &FILL_HOLES, &FILTER_EXPOSURE, &FIREFLY_DIFFERENCE_0, &FIREFLY_DIFFERENCE_1, &FIREFLY_LIMITS_RETURNING_0, &FIREFLY_LIMITS_RETURNING_1, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1, &GRADIENT, &GRADIENT_ATROUS_RATIO_0, &GRADIENT_ATROUS_RATIO_1, &HISTORY_CONFIDENCE_SOURCE_0, &HISTORY_CONFIDENCE_SOURCE_1, &HISTORY_CONFIDENCE_SOURCE_2, &IMPORT_SURFACE_ID_0_OBJECT_NORMALS_0, &IMPORT_SURFACE_ID_1_OBJECT_NORMALS_0, &IMPORT_SURFACE_ID_0_OBJECT_NORMALS_1, &IMPORT_SURFACE_ID_1_OBJECT_NORMALS_1, &MODULATE_FLOAT_0, &MODULATE_FLOAT_1, &MODULATE_FLOAT_0_UPSAMPLED_1, &MODULATE_FLOAT_1_UPSAMPLED_1, &PERCENTILE_RULE, &REACTIVE_MASK, &RENDERED_GUIDE_SURFACE_ID_0, &RENDERED_GUIDE_SURFACE_ID_1, &SAMPLE_ALBEDO, &SHADOWED_LIGHT_FLOAT_0, &SHADOWED_LIGHT_FLOAT_1, &SPECULAR_ACCUMULATION, &TEMPORAL_ACCUMULATION_SIGNALS_1, &TEMPORAL_ACCUMULATION_SIGNALS_2, &TEMPORAL_UPSCALE_FLOAT_0, &TEMPORAL_UPSCALE_FLOAT_1, &TEMPORAL_UPSCALE_FLOAT_0_SURFACE_ID_0, &TEMPORAL_UPSCALE_FLOAT_0_SURFACE_ID_1, &TEMPORAL_UPSCALE_FLOAT_1_SURFACE_ID_0, &TEMPORAL_UPSCALE_FLOAT_1_SURFACE_ID_1, &TONE_MAP, &UPSAMPLE_NUMBER_0, &UPSAMPLE_NUMBER_1, &VARIANCE_SIGNALS_1, &VARIANCE_SIGNALS_2, &VISIBILITY_ACCUMULATION_MANY_0_COLOUR_0, &VISIBILITY_ACCUMULATION_MANY_0_COLOUR_1, &VISIBILITY_ACCUMULATION_MANY_1_COLOUR_0, &VISIBILITY_ACCUMULATION_MANY_1_COLOUR_1, &VISIBILITY_FILTER_LAST_0_MANY_0_COLOUR_0, &VISIBILITY_FILTER_LAST_1_MANY_0_COLOUR_0, &VISIBILITY_FILTER_LAST_0_MANY_0_COLOUR_1, &VISIBILITY_FILTER_LAST_1_MANY_0_COLOUR_1, &VISIBILITY_FILTER_LAST_0_MANY_1_COLOUR_0, &VISIBILITY_FILTER_LAST_1_MANY_1_COLOUR_0, &VISIBILITY_FILTER_LAST_0_MANY_1_COLOUR_1, &VISIBILITY_FILTER_LAST_1_MANY_1_COLOUR_1, &VISIBILITY_SAMPLES_MANY_0_COLOUR_0, &VISIBILITY_SAMPLES_MANY_0_COLOUR_1, &VISIBILITY_SAMPLES_MANY_1_COLOUR_0, &VISIBILITY_SAMPLES_MANY_1_COLOUR_1, &VOLUME_MOTION_RESOLVE_0, &VOLUME_MOTION_RESOLVE_1, &VOLUME_POINTS, ];
+pub(crate) static ALL: &[&Shader] = &[&ATROUS_SIGNALS_1, &ATROUS_SIGNALS_2, &ATROUS_SIGNALS_1_SPECULAR_1, &ATROUS_SIGNALS_2_SPECULAR_1, &ATROUS_SIGNALS_1_MATERIAL_1, &ATROUS_SIGNALS_2_MATERIAL_1, &ATROUS_SIGNALS_1_SPECULAR_1_MATERIAL_1, &ATROUS_SIGNALS_2_SPECULAR_1_MATERIAL_1, &BLOCK_DIFFERENCE, &BLOCK_PERCENTILES, &CHANGE_TEST, &CLEAR_CLAIMS, &DEBUG_VIEW, &DEMODULATE_LUMINANCE_0, &DEMODULATE_LUMINANCE_1, &EAW_SIGNALS_1, &EAW_SIGNALS_2, &FILL_HOLES, &FILTER_EXPOSURE, &FIREFLY_DIFFERENCE_0, &FIREFLY_DIFFERENCE_1, &FIREFLY_LIMITS_RETURNING_0, &FIREFLY_LIMITS_RETURNING_1, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1, &GRADIENT, &GRADIENT_ATROUS_RATIO_0, &GRADIENT_ATROUS_RATIO_1, &HISTORY_CONFIDENCE_SOURCE_0, &HISTORY_CONFIDENCE_SOURCE_1, &HISTORY_CONFIDENCE_SOURCE_2, &IMPORT_SURFACE_ID_0_OBJECT_NORMALS_0, &IMPORT_SURFACE_ID_1_OBJECT_NORMALS_0, &IMPORT_SURFACE_ID_0_OBJECT_NORMALS_1, &IMPORT_SURFACE_ID_1_OBJECT_NORMALS_1, &MODULATE_FLOAT_0, &MODULATE_FLOAT_1, &MODULATE_FLOAT_0_UPSAMPLED_1, &MODULATE_FLOAT_1_UPSAMPLED_1, &PERCENTILE_RULE, &REACTIVE_MASK, &SAMPLE_ALBEDO, &SHADOWED_LIGHT_FLOAT_0, &SHADOWED_LIGHT_FLOAT_1, &SPECULAR_ACCUMULATION, &TEMPORAL_ACCUMULATION_SIGNALS_1, &TEMPORAL_ACCUMULATION_SIGNALS_2, &TEMPORAL_UPSCALE_FLOAT_0, &TEMPORAL_UPSCALE_FLOAT_1, &TEMPORAL_UPSCALE_FLOAT_0_SURFACE_ID_0, &TEMPORAL_UPSCALE_FLOAT_0_SURFACE_ID_1, &TEMPORAL_UPSCALE_FLOAT_1_SURFACE_ID_0, &TEMPORAL_UPSCALE_FLOAT_1_SURFACE_ID_1, &TONE_MAP, &UPSAMPLE_NUMBER_0, &UPSAMPLE_NUMBER_1, &VARIANCE_SIGNALS_1, &VARIANCE_SIGNALS_2, &VISIBILITY_ACCUMULATION_MANY_0_COLOUR_0, &VISIBILITY_ACCUMULATION_MANY_0_COLOUR_1, &VISIBILITY_ACCUMULATION_MANY_1_COLOUR_0, &VISIBILITY_ACCUMULATION_MANY_1_COLOUR_1, &VISIBILITY_FILTER_LAST_0_MANY_0_COLOUR_0, &VISIBILITY_FILTER_LAST_1_MANY_0_COLOUR_0, &VISIBILITY_FILTER_LAST_0_MANY_0_COLOUR_1, &VISIBILITY_FILTER_LAST_1_MANY_0_COLOUR_1, &VISIBILITY_FILTER_LAST_0_MANY_1_COLOUR_0, &VISIBILITY_FILTER_LAST_1_MANY_1_COLOUR_0, &VISIBILITY_FILTER_LAST_0_MANY_1_COLOUR_1, &VISIBILITY_FILTER_LAST_1_MANY_1_COLOUR_1, &VISIBILITY_SAMPLES_MANY_0_COLOUR_0, &VISIBILITY_SAMPLES_MANY_0_COLOUR_1, &VISIBILITY_SAMPLES_MANY_1_COLOUR_0, &VISIBILITY_SAMPLES_MANY_1_COLOUR_1, &VOLUME_MOTION_RESOLVE_0, &VOLUME_MOTION_RESOLVE_1, &VOLUME_POINTS, ];

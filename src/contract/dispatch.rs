@@ -161,8 +161,8 @@ mod tests {
         };
         let whole = Config::new([66, 36]);
         assert_eq!(of(&whole, "temporal_accumulation"), 72 * 40);
-        let half = Config { light_extent: Some([33, 18]), ..whole };
-        assert_eq!((of(&half, "temporal_accumulation"), of(&half, "rendered_guide")), (40 * 24, 128 * 36));
+        let half = Config { light_extent: Some([33, 18]), reactive_mask: true, ..whole };
+        assert_eq!((of(&half, "temporal_accumulation"), of(&half, "reactive_mask")), (40 * 24, 72 * 40));
         assert_eq!((of(&whole, "start_frame"), of(&whole, "no pass")), (0, 0));
     }
 }

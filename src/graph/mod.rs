@@ -48,7 +48,7 @@ pub use port::*;
 pub use stage::{Stage, StageCall, StageOutputs};
 
 pub(crate) use pass::Pass;
-pub(crate) use port::{KeptLuminance, Motion, RenderedGuides};
+pub(crate) use port::{KeptLuminance, Rendered};
 pub(crate) use resources::{CONFIDENCE, HDR, PACKED_128, PACKED_32, PACKED_64, WIDE_HDR};
 
 use crate::choice::choices;
@@ -93,8 +93,6 @@ pub struct Graph {
     constants: ResourceId,
     statistics: ResourceId,
     share_outputs: bool,
-    /// Passes that wait for the first reader of the image that they write, so that it lives no longer.
-    waiting: Vec<(Image, Pass)>,
 }
 
 /// Facts about a resource that its declaration does not have.
@@ -132,7 +130,6 @@ impl Graph {
             constants: ResourceId(0),
             statistics: ResourceId(0),
             share_outputs: true,
-            waiting: Vec::new(),
         };
         graph.start_frame();
         graph

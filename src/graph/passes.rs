@@ -3,7 +3,7 @@
 
 use super::matching::{self, Automatic};
 use super::pass::{Pass, Wire};
-use super::{Graph, Guides, Image};
+use super::{Graph, Image};
 use crate::contract::{Access, Lifetime, PassDecl, Phase, Shape, Use, UseFrame, Work};
 
 impl Graph {
@@ -28,21 +28,6 @@ impl Graph {
             PassDecl { name: "start_frame".to_owned(), phase: Phase::BeforeLighting, uses: uses.to_vec(), work: Work::StartFrame },
         );
         (self.constants, self.statistics) = (constants, statistics);
-    }
-
-    /// Has a pass wait for [`Self::rendered_guide`] of the image that it writes.
-    pub(crate) fn add_before_reader(&mut self, of: Image, pass: Pass) {
-        self.waiting.push((of, pass));
-    }
-
-    /// The guide of every rendered pixel. Its first reader adds the pass that writes it.
-    pub(crate) fn rendered_guide(&mut self, guides: &Guides) -> Image {
-        let guide = guides.rendered.guide;
-        if let Some(index) = self.waiting.iter().position(|(of, _)| (of.graph, of.id) == (guide.graph, guide.id)) {
-            let (_, pass) = self.waiting.remove(index);
-            self.add(pass);
-        }
-        self.refreshed(guide)
     }
 
     /// Adds a dispatch: matches its images with the bindings of the shader.

@@ -264,25 +264,17 @@ pub struct Guides {
     pub object_normal: Option<Image>,
     /// Your class of materials, if you have one.
     pub material_class: Option<Image>,
-    /// Those of every rendered pixel. They are the same images, unless the light has fewer pixels.
-    pub(crate) rendered: RenderedGuides,
+    pub(crate) rendered: Rendered,
 }
 
-/// Guides of every rendered pixel, of which [`Guides`] has those of the pixels with light.
+/// Where the guides of rendered pixels are, of which [`Guides`] has those of the pixels with light.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct RenderedGuides {
-    /// Of [`super::Graph::rendered_guide`], which adds the pass that writes it.
-    pub guide: Image,
-    pub motion: Motion,
-}
-
-/// Where the motion of rendered pixels is.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Motion {
-    /// In the image that the filters read.
-    Stored(Image),
-    /// In the images of the host, with or without its `surface_id`: no image has that of all pixels.
-    Host { surface_id: bool },
+pub(crate) enum Rendered {
+    /// In the same images: every pixel has light.
+    Stored,
+    /// In the images of the host, with or without its `surface_id`, and with the albedo by which light is divided: no image has
+    /// those of all pixels.
+    Host { surface_id: bool, albedo: bool },
 }
 
 /// The history that the next frame accumulates onto: colour and moments of luminance of every signal.

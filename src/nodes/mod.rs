@@ -6,8 +6,8 @@
 #[cfg(test)]
 mod adaptive_history_tests;
 
-use crate::contract::TexelGrid;
-use crate::graph::{Graph, Image, Pass, Port, Value};
+use crate::contract::{Input, TexelGrid};
+use crate::graph::{Graph, Guides, Image, Pass, Port, Rendered, Value};
 use crate::reference::CpuStage;
 use crate::shaders::Shader;
 
@@ -58,7 +58,6 @@ stages! {
     modulate,
     percentile_rule,
     reactive_mask,
-    rendered_guide,
     sample_albedo,
     shadowed_light,
     specular_accumulation,
@@ -91,7 +90,28 @@ fn by_signals<K>(port: &Port<K>, one: &'static Shader, two: &'static Shader) -> 
     }
 }
 
+/// The host's images that have the guide of rendered pixels, where light has fewer; else none.
+struct RenderedInputs {
+    depth: Option<Image>,
+    normal: Option<Image>,
+    surface_id: Option<Image>,
+    /// That by which light is divided.
+    albedo: Option<Image>,
+}
+
 impl Graph {
+    fn rendered_inputs(&mut self, guides: &Guides) -> RenderedInputs {
+        let Rendered::Host { surface_id, albedo } = guides.rendered else {
+            return RenderedInputs { depth: None, normal: None, surface_id: None, albedo: None };
+        };
+        RenderedInputs {
+            depth: Some(self.input(Input::DEPTH)),
+            normal: Some(self.input(Input::NORMAL)),
+            surface_id: surface_id.then(|| self.input(Input::SURFACE_ID)),
+            albedo: if albedo { self.dividing_albedo() } else { None },
+        }
+    }
+
     /// The label behind the name of a node: that of its only signal. Two signals that are filtered together have none.
     fn label_of<K>(&self, port: &Port<K>) -> String {
         match port.images() {

@@ -3,6 +3,7 @@ use crate::config::{AdaptiveRule, Config, GradientSource, PostProcess, Preset, S
 use crate::contract::{Access, Dispatch, ImageFormat, PassDecl, Shape, Use};
 use crate::{Declaration, UseFrame};
 use std::collections::BTreeSet;
+use std::sync::LazyLock;
 
 const GRADIENT_SOURCES: [(GradientSource, bool); 5] = [
     (GradientSource::ForwardProjected, false),
@@ -13,8 +14,10 @@ const GRADIENT_SOURCES: [(GradientSource, bool); 5] = [
 ];
 
 /// Every structural configuration that changes a declaration.
-fn declarations() -> Vec<Declaration> {
-    declarations_with(|config| config.declare().expect("valid"))
+fn declarations() -> &'static [Declaration] {
+    static DECLARATIONS: LazyLock<Vec<Declaration>> =
+        LazyLock::new(|| declarations_with(|config| config.declare().expect("valid")));
+    &DECLARATIONS
 }
 
 fn declarations_with(declare: fn(&Config) -> Declaration) -> Vec<Declaration> {
@@ -83,7 +86,7 @@ fn wired(pass: &PassDecl) -> impl Iterator<Item = (&ShaderBinding, Option<&Use>)
 #[test]
 fn uses_equal_the_bindings_in_order_access_and_format() {
     for declaration in declarations() {
-        for (pass, dispatch) in dispatches(&declaration) {
+        for (pass, dispatch) in dispatches(declaration) {
             let numbers: Vec<u32> = pass.bindings().map(|(number, _)| number).collect();
             assert_eq!(numbers.len(), pass.uses.len(), "{}", pass.name);
             assert!(numbers.is_sorted() && dispatch.shader.bindings.len() <= MAX_BINDINGS, "{}", pass.name);
@@ -113,7 +116,7 @@ fn uses_equal_the_bindings_in_order_access_and_format() {
 #[test]
 fn what_stands_in_for_a_binding_is_always_there_and_of_its_kind() {
     for declaration in declarations() {
-        for (pass, dispatch) in dispatches(&declaration) {
+        for (pass, dispatch) in dispatches(declaration) {
             for (binding, slot) in dispatch.shader.bindings.iter().zip(&dispatch.slots).filter(|(b, _)| b.optional) {
                 let (other, used) = wired(pass).find(|(_, u)| u.is_some_and(|u| *u == pass.uses[slot.stand_in])).expect("a use");
                 let lifetime = declaration.resource(used.expect("a use").resource).lifetime;
@@ -127,9 +130,8 @@ fn what_stands_in_for_a_binding_is_always_there_and_of_its_kind() {
 /// Holds names of bindings to those of the resources at them, but for signals by number, ports of filters and images in place.
 #[test]
 fn names_of_bindings_match_those_of_resources() {
-    const RENAMED: [(&str, &[&str]); 31] = [
+    const RENAMED: [(&str, &[&str]); 30] = [
         ("frame", &["frame_constants"]),
-        ("rendered_guide", &["guide"]),
         ("input", &["irradiance", "filled_irradiance", "estimate", "atrous_", "denoised_volume"]),
         ("output", &["atrous_", "irradiance_history", "denoised_volume"]),
         ("irradiance", &["filled_irradiance", "accumulated"]),
@@ -262,8 +264,7 @@ fn images_are_unpacked_as_what_they_are() {
     let mut unpackers = BTreeSet::new();
     for (path, text) in glsl_sources() {
         for (unpacker, image) in unpacked_fetches(&text) {
-            let image =
-                image.trim_start_matches("previous_").trim_start_matches("rendered_").trim_end_matches("_0").trim_end_matches("_1");
+            let image = image.trim_start_matches("previous_").trim_end_matches("_0").trim_end_matches("_1");
             let is_unpacker = unpacker.starts_with("unpack") || unpacker.ends_with("Bits");
             let fits = unpacker.strip_prefix("unpack_") == Some(image) || OTHERS.contains(&(unpacker, image));
             assert!(fits || !is_unpacker, "{path}: {image} is unpacked by {unpacker}");

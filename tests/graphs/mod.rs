@@ -70,7 +70,7 @@ fn pass_names(declaration: &Declaration) -> String {
 }
 
 /// Stages that need light of a size of its own, or that presets alone have: `parity::light` and `parity::reactive_mask` run them.
-const ELSEWHERE: [&str; 3] = ["reactive_mask", "rendered_guide", "upsample"];
+const ELSEWHERE: [&str; 2] = ["reactive_mask", "upsample"];
 
 /// Everything else occurs in the graphs that are always tested.
 fn seeds_reach_every_stage() {

@@ -6,7 +6,7 @@ pub(crate) mod twin;
 
 use super::pass;
 use crate::contract::{Input, Lifetime, Phase};
-use crate::graph::{Graph, Guides, Motion, RenderedGuides, PACKED_32, PACKED_64};
+use crate::graph::{Graph, Guides, Rendered, PACKED_32, PACKED_64};
 use crate::shaders;
 
 /// Parameters of the node `import`. [`crate::Setup::conventions`] has the encodings of your images.
@@ -69,8 +69,8 @@ impl Graph {
         let object_normal = object_normal.map(|image| self.refreshed(image));
         let material_class = import.material_class.then(|| self.input(Input::MATERIAL_CLASS));
         let rendered = match self.has_light_extent() {
-            true => self.rendered_guides(import),
-            false => RenderedGuides { guide, motion: Motion::Stored(surface_motion) },
+            true => Rendered::Host { surface_id: import.surface_id, albedo: import.albedo },
+            false => Rendered::Stored,
         };
         Guides { guide, surface_motion, object_normal, material_class, rendered }
     }

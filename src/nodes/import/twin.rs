@@ -17,6 +17,7 @@ use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Counter, Statistics};
 use crate::{Error, FrameConstants};
 use glam::{IVec2, UVec2, Vec2, Vec3};
+use std::borrow::Cow;
 
 #[cfg(test)]
 mod motion_tests;
@@ -121,6 +122,22 @@ pub(crate) fn import(frame: &FrameConstants, inputs: &ImportInputs) -> ImportOut
             .map(|normals| Image::compute(extent, frame.render_extent, |p| object_normal_of(normals, p))),
         statistics,
     }
+}
+
+/// The guide of every rendered pixel: where light has fewer, of the host's images that a pass binds; else of the image `guide`.
+pub(crate) fn rendered_guide<'a>(b: &'a Bindings, apart: bool) -> Result<Cow<'a, Image<[u16; 4]>>, Error> {
+    let Some(depth) = b.optional_colour("depth")? else { return Ok(Cow::Borrowed(b.packed("guide")?)) };
+    let inputs = ImportInputs {
+        surface_id: b.optional_uint("surface_id")?,
+        albedo: b.optional_colour("albedo")?.filter(|_| apart),
+        // Without normals, a pass that reads depth alone.
+        ..ImportInputs::new(depth, b.optional_colour("normal")?.unwrap_or(depth))
+    };
+    let frame = b.frame.of_guides();
+    let projections = Projections::new(&frame);
+    Ok(Cow::Owned(Image::compute(depth.extent(), frame.render_extent, |p| {
+        pack_guide(&surface_of(&frame, &inputs, &projections, p).0)
+    })))
 }
 
 /// The surface of a pixel of the guides without the gradient of its depth, with whether its normal and its roughness were bad.

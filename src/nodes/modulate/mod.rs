@@ -50,12 +50,18 @@ impl Graph {
         }[usize::from(modulate.float_output)];
         let format = if modulate.float_output { WIDE_HDR } else { HDR };
         let denoised = self.named_image("modulated", &label, format, TexelGrid::Rendered(1), Lifetime::Transient);
-        let rendered_guide = self.rendered_guide(guides);
-        let mut pass = pass(&node, module).bind("denoised_radiance", denoised).each("filtered", filtered.images());
-        pass = match gathers {
-            true => pass.bind("guide", guides.guide).bind("rendered_guide", rendered_guide),
-            false => pass.grid(Grid::Guides).bind("guide", rendered_guide),
-        };
+        let rendered = self.rendered_inputs(guides);
+        let mut pass = pass(&node, module)
+            .grid(if gathers { Grid::Pixels } else { Grid::Guides })
+            .bind("denoised_radiance", denoised)
+            .each("filtered", filtered.images())
+            .bind("guide", guides.guide)
+            .bind_some("depth", rendered.depth)
+            .bind_some("normal", rendered.normal)
+            .bind_some("surface_id", rendered.surface_id);
+        if rendered.depth.is_some() && rendered.albedo.is_none() {
+            pass = pass.constant("APART", 0);
+        }
         if modulate.albedo {
             pass = pass.bind("albedo", self.input(Input::ALBEDO));
         }

@@ -1,6 +1,7 @@
 //! The stage `modulate`: irradiance multiplied by albedo again, signals summed, emission added \[SVGF 3\].
 
 use crate::nodes::demodulate::twin::{albedo_at, divisor, reflectance, with_coat};
+use crate::nodes::import::twin::rendered_guide;
 use crate::nodes::upsample::twin::{upsample, UpsampleInputs};
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::{Condition, Rule};
@@ -29,7 +30,7 @@ pub(crate) struct SpecularAlbedos<'a> {
 /// Inputs of [`modulate`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ModulateInputs<'a> {
-    /// The image `guide`, from the stage `import`.
+    /// Guides of every rendered pixel.
     pub guide: &'a Image<[u16; 4]>,
     /// rgb: denoised irradiance of every signal.
     pub irradiance: &'a [&'a Image<[f32; 4]>],
@@ -89,16 +90,17 @@ pub(crate) const RULES: &[Rule] = &[
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let specular = b.is_on("SPECULAR")?;
-    let (guide, filtered) = (b.packed("guide")?, b.colours("filtered")?);
-    let rendered = b.optional_packed("rendered_guide")?;
-    let upsampled = rendered.map(|rendered_guide| {
-        upsample(b.frame, &UpsampleInputs { rendered_guide, guide, is_volume: false, filtered: &filtered }, |irradiance| irradiance)
+    let (rendered_guide, guide, filtered) = (rendered_guide(b, b.is_on("APART")?)?, b.packed("guide")?, b.colours("filtered")?);
+    let gathers = b.is_on("GATHERS").unwrap_or(false);
+    let upsampled = gathers.then(|| {
+        let inputs = UpsampleInputs { rendered_guide: &rendered_guide, guide, is_volume: false, filtered: &filtered };
+        upsample(b.frame, &inputs, |irradiance| irradiance)
     });
     let irradiance = upsampled.as_ref().map_or(filtered, |upsampled| upsampled.iter().collect());
     let coat = b.optional_colour("specular_albedo")?;
     let albedo = with_coat(b.optional_colour("albedo")?, coat.filter(|_| !specular));
     let inputs = ModulateInputs {
-        guide: rendered.unwrap_or(guide),
+        guide: &rendered_guide,
         irradiance: &irradiance,
         albedo: albedo.as_deref(),
         specular: specular.then_some(SpecularAlbedos { albedo: coat, f0: SpecularF0::of(b)? }),

@@ -20,11 +20,12 @@ impl Graph {
     ) -> Radiance {
         let node = self.node("reactive_mask", "");
         let mask = self.named_image("reactive", "", HDR, TexelGrid::Rendered(1), Lifetime::Transient);
-        let rendered_guide = self.rendered_guide(guides);
+        let rendered = self.rendered_inputs(guides);
         let pass = pass(&node, &shaders::REACTIVE_MASK)
             .grid(Grid::Guides)
-            .bind("rendered_guide", rendered_guide)
             .bind("guide", guides.guide)
+            .bind_some("depth", rendered.depth)
+            .bind_some("surface_id", rendered.surface_id)
             .each("luminance_history", &self.current_luminance_history(history))
             .bind_some("history_confidence", confidence.map(|confidence| confidence.image()))
             .bind("radiance", denoised.image())

@@ -1,5 +1,6 @@
 //! The stage `reactive_mask`: shares of new and of emitted light.
 
+use crate::nodes::import::twin::rendered_guide;
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::Rule;
 use crate::reference::guide::unpack_guide;
@@ -63,7 +64,7 @@ pub(crate) const RULES: &[Rule] = &[pixels("reactive_mask", HALF)];
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let histories = luminance_histories(b, "luminance_history")?;
     let inputs = ReactiveInputs {
-        rendered_guide: b.packed("rendered_guide")?,
+        rendered_guide: &*rendered_guide(b, false)?,
         guide: b.packed("guide")?,
         histories: &histories.iter().collect::<Vec<_>>(),
         confidence: b.optional_scalar("history_confidence")?,

@@ -6,7 +6,7 @@ pub(crate) mod twin;
 
 use super::{pass, UNREAD};
 use crate::contract::{Grid, Input, Lifetime, Phase, TexelGrid};
-use crate::graph::{Graph, Guides, Motion, Port, Radiance, Value, HDR, PACKED_64, WIDE_HDR};
+use crate::graph::{Graph, Guides, Port, Radiance, Rendered, Value, HDR, PACKED_64, WIDE_HDR};
 use crate::shaders;
 
 /// Pixels of the output that an invocation has, one below the other: they have most of their samples in common.
@@ -25,19 +25,19 @@ impl Graph {
     pub fn temporal_upscale(&mut self, guides: &Guides, radiance: &Radiance, upscale: TemporalUpscale) -> Radiance {
         let node = self.node("temporal_upscale", "");
         let format = self.format_of(radiance.image()).filter(|format| *format == WIDE_HDR).unwrap_or(HDR);
-        let module = match guides.rendered.motion {
-            Motion::Stored(_) => [&shaders::TEMPORAL_UPSCALE_FLOAT_0, &shaders::TEMPORAL_UPSCALE_FLOAT_1],
-            Motion::Host { surface_id: false } => {
+        let module = match guides.rendered {
+            Rendered::Stored => [&shaders::TEMPORAL_UPSCALE_FLOAT_0, &shaders::TEMPORAL_UPSCALE_FLOAT_1],
+            Rendered::Host { surface_id: false, .. } => {
                 [&shaders::TEMPORAL_UPSCALE_FLOAT_0_SURFACE_ID_0, &shaders::TEMPORAL_UPSCALE_FLOAT_1_SURFACE_ID_0]
             }
-            Motion::Host { surface_id: true } => {
+            Rendered::Host { surface_id: true, .. } => {
                 [&shaders::TEMPORAL_UPSCALE_FLOAT_0_SURFACE_ID_1, &shaders::TEMPORAL_UPSCALE_FLOAT_1_SURFACE_ID_1]
             }
         }[usize::from(format == WIDE_HDR)];
         let history = self.named_image("upscale_history", "", PACKED_64, TexelGrid::Output, Lifetime::History);
         let upscaled = self.named_image("upscaled_radiance", "", format, TexelGrid::Output, Lifetime::Transient);
         let value = if upscale.tone_mapped { Value::Own } else { UNREAD };
-        let guide = self.rendered_guide(guides);
+        let rendered = self.rendered_inputs(guides);
         let mut pass = pass(&node, module)
             .phase(Phase::PostProcess)
             .constant("SHOWN", upscale.tone_mapped.into())
@@ -45,16 +45,16 @@ impl Graph {
             .grid(Grid::Output(COLUMN))
             .each("radiance", radiance.images())
             .bind_some("albedo", self.given(Input::ALBEDO))
-            .bind("guide", guide)
             .previous("previous_upscale_history", history)
             .bind("upscale_history", history)
             .bind("upscaled_radiance", upscaled);
-        pass = match guides.rendered.motion {
-            Motion::Stored(motion) => pass.bind("surface_motion", motion),
-            Motion::Host { surface_id } => pass
+        pass = match guides.rendered {
+            Rendered::Stored => pass.bind("guide", guides.guide).bind("surface_motion", guides.surface_motion),
+            Rendered::Host { .. } => pass
                 .bind("motion", self.input(Input::MOTION))
                 .bind("instance_transforms", self.input(Input::INSTANCE_TRANSFORMS))
-                .bind_some("surface_id", surface_id.then(|| self.input(Input::SURFACE_ID))),
+                .bind_some("depth", rendered.depth)
+                .bind_some("surface_id", rendered.surface_id),
         };
         self.add(pass);
         Port::of(self.refreshed(upscaled))

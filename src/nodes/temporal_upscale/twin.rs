@@ -1,6 +1,7 @@
 //! The stage `temporal_upscale`: jittered frames of the past and this one, gathered at the size of the output.
 
 use crate::nodes::demodulate::twin::divisor;
+use crate::nodes::import::twin::rendered_guide;
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
 use crate::reference::conventions::is_reset;
@@ -126,7 +127,7 @@ pub(crate) struct UpscaleInputs<'a> {
     pub radiance: &'a [&'a Image<[f32; 4]>],
     /// The host's albedo.
     pub albedo: Option<&'a Image<[f32; 4]>>,
-    /// The image `guide`, from the stage `import`.
+    /// Guides of every rendered pixel.
     pub guide: &'a Image<[u16; 4]>,
     /// Motion of every rendered pixel.
     pub motion: Motion<'a>,
@@ -455,7 +456,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let inputs = UpscaleInputs {
         radiance: &b.colours("radiance")?,
         albedo: b.optional_colour("albedo")?,
-        guide: b.packed("guide")?,
+        guide: &*rendered_guide(b, false)?,
         motion,
         tone_mapped: b.is_on("SHOWN")?,
         previous: Some(&previous),

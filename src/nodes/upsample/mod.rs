@@ -32,11 +32,14 @@ impl Graph {
             false => (&shaders::UPSAMPLE_NUMBER_0, "upsampled", HDR),
         };
         let upsampled: Port<K> = self.image_each(filtered, base, format, TexelGrid::Rendered(1));
-        let rendered_guide = self.rendered_guide(guides);
+        let rendered = self.rendered_inputs(guides);
         let pass = pass(&node, module)
             .constant("VOLUME", is_volume.into())
-            .bind("rendered_guide", rendered_guide)
             .bind("guide", guides.guide)
+            .bind_some("depth", rendered.depth)
+            .bind_some("normal", rendered.normal)
+            .bind_some("surface_id", rendered.surface_id)
+            .bind_some("albedo", rendered.albedo)
             .each("filtered", filtered.images())
             .each("upsampled", upsampled.images());
         self.add(pass);

@@ -1,5 +1,6 @@
 //! The stage `upsample`: filtered light of fewer pixels, brought to each pixel of the guides \[Kopf 2007\].
 
+use crate::nodes::import::twin::rendered_guide;
 use crate::reference::binary16::store;
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::Rule;
@@ -104,7 +105,7 @@ pub(crate) const RULES: &[Rule] = &[pixels("upsampled_0", WEIGHTED), pixels("ups
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
-    let (rendered_guide, guide) = (b.packed("rendered_guide")?, b.packed("guide")?);
+    let (rendered_guide, guide) = (&*rendered_guide(b, true)?, b.packed("guide")?);
     if let Ok(visibility) = b.scalar("filtered_0") {
         let filtered = visibility.map(|v| [*v, 0.0, 0.0, 0.0]);
         let [upsampled, ..] =
