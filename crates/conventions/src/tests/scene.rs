@@ -8,7 +8,7 @@ use atrous::reference::Image;
 use atrous::FrameParams;
 use glam::{Mat4, Vec2, Vec2Swizzles, Vec3, Vec3Swizzles, Vec4Swizzles};
 
-pub const EXTENT: [u32; 2] = [80, 45];
+pub const EXTENT: [u32; 2] = [64, 36];
 
 /// Motion in a frame of the things that move by themselves.
 const STEP: Vec3 = Vec3::new(0.11, 0.07, -0.05);
