@@ -29,6 +29,7 @@ layout(push_constant) uniform Push {
 #include "demodulation.glsl"
 #include "kept_radiance.glsl"
 #include "strata.glsl"
+#include "view_position.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -116,7 +117,19 @@ void add_change(inout Sum sum, vec3 radiance, vec2 before, ivec2 previous_pixel)
     }
 }
 
-// The pixel of the previous frame that showed this surface.
+// Pixels between the motion of a surface and that of the camera, and the share of it that rounding explains: what moved further by itself is
+// not where paths of the previous frame are traced again.
+const float STILL = 0.5;
+const float STILL_SHARE = 1.0 / 256.0;
+
+bool stands_still(ivec2 p, float z, vec2 motion) {
+    vec2 position;
+    if (!previous_pixel_position(world_position(p, z), position)) return false;
+    vec2 of_camera = position + 0.5 - (vec2(p) + 0.5) * extent_ratio(frame.render_extent, frame.previous_render_extent);
+    return distance(of_camera, motion) <= STILL + STILL_SHARE * length(motion);
+}
+
+// The pixel of the previous frame that showed this surface, where that has stood still.
 bool previous_pixel_of(ivec2 p, GuideBits packed, out ivec2 j) {
     SurfaceMotion m = unpack_surface_motion(texelFetch(surface_motion, p, 0));
     j = ivec2(floor(previous_position(p, m.motion, frame.render_extent, frame.previous_render_extent)));
@@ -126,7 +139,8 @@ bool previous_pixel_of(ivec2 p, GuideBits packed, out ivec2 j) {
     if (z == 0.0 || guide_id(before) != guide_id(packed)) return false;
     float expected = guide_depth(packed) * (1.0 + m.depth_ratio);
     vec2 slope = abs(guide_gradient(packed));
-    return abs(z - expected) <= push.depth_tolerance * expected + slope.x + slope.y;
+    bool same = abs(z - expected) <= push.depth_tolerance * expected + slope.x + slope.y;
+    return same && stands_still(p, guide_depth(packed), m.motion);
 }
 
 void add_reshaded(inout Sum sum, ivec2 p, GuideBits packed) {

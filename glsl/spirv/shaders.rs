@@ -689,6 +689,7 @@ pub(crate) static GRADIENT: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("SOURCE"), id: 1, scalar: Scalar::Uint, default: 2 },
         SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
         SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
 pub(crate) static GRADIENT_ATROUS_RATIO_0: Shader = Shader {

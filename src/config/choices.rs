@@ -108,7 +108,8 @@ choices! {
         ForwardProjected = 0 => "forward_projected",
         /// An image `reshaded_radiance`: the paths of the previous frame, traced again in the scene
         /// of this frame with the same random numbers, at the pixels of the previous frame. As
-        /// dense as you like; write NaN into the pixels that you leave out.
+        /// dense as you like; write NaN into the pixels that you leave out. A thing that moves by itself
+        /// takes no part, since the paths see what is behind it.
         Reshaded = 1 => "reshaded",
         /// An image `sparse_gradient` with one texel per stratum, if you take the differences
         /// yourself: x the change of luminance δ, y the larger of the two luminances Δ. 0, 0 where

@@ -8,7 +8,7 @@ use crate::reference::compare::{Condition, Rule, Tolerance};
 use crate::reference::conventions::{is_reset, is_reshaded};
 use crate::reference::guide::unpack_guide;
 use crate::reference::kept_radiance::{exposed, is_finite, kept_luminance, kept_radiance, kept_red_blue, radiance_of, storable};
-use crate::reference::projection::extent_ratio;
+use crate::reference::projection::{extent_ratio, Projections};
 use crate::reference::rules::{strata, EXACT};
 use crate::reference::strata::{unpack_gradient_sample, Strata};
 use crate::reference::surface_motion::unpack_surface_motion;
@@ -18,6 +18,11 @@ use glam::{IVec2, UVec2, Vec2};
 
 #[cfg(test)]
 mod tests;
+
+/// Pixels between the motion of a surface and that of the camera, up to which it stands still.
+const STILL: f32 = 0.5;
+/// The share of the motion that rounding explains.
+const STILL_SHARE: f32 = 1.0 / 256.0;
 
 /// Source of the second luminance of a sample.
 #[derive(Clone, Copy, Debug)]
@@ -77,7 +82,7 @@ pub(crate) fn gradient(frame: &FrameConstants, tuning: &Tuning, stratum_size: u3
     let extent = inputs.guide.extent();
     let strata = Strata::new(frame, stratum_size);
     let luminances = luminances(frame, inputs.guide, inputs.noisy, inputs.albedo);
-    let changes = Changes { frame, tuning, stratum_size, inputs, luminances: &luminances };
+    let changes = Changes { frame, projections: Projections::new(frame), tuning, stratum_size, inputs, luminances: &luminances };
     let stratum_extent = extent.map(|side| side.div_ceil(stratum_size));
     let texels = Image::compute(stratum_extent, strata.count().into(), |s| changes.stratum(strata, s));
     GradientOutputs {
@@ -90,6 +95,7 @@ pub(crate) fn gradient(frame: &FrameConstants, tuning: &Tuning, stratum_size: u3
 
 struct Changes<'a> {
     frame: &'a FrameConstants,
+    projections: Projections,
     tuning: &'a Tuning,
     stratum_size: u32,
     inputs: &'a GradientInputs<'a>,
@@ -199,6 +205,14 @@ impl Changes<'_> {
         Some(Change { before: [before[0], before[1], before[2], both], now: [now[0], now[1], now[2], larger], ..change })
     }
 
+    /// Whether a surface has moved as the camera made it: what moved by itself is not where paths of the previous frame are traced again.
+    fn stands_still(&self, p: IVec2, linear_depth: f32, motion: Vec2) -> bool {
+        let world = self.projections.world_point(p.into(), linear_depth);
+        let current = Vec2::from(self.projections.sample_position(p.into())) * extent_ratio(self.frame);
+        let of_camera = self.projections.previous_position(world).map(|position| Vec2::from(position) - current);
+        of_camera.is_some_and(|of_camera| of_camera.distance(motion) <= STILL + STILL_SHARE * motion.length())
+    }
+
     /// The change at the previous pixel that showed the surface of `p`.
     fn reshaded(&self, p: IVec2) -> Option<Change> {
         let GradientInput::Reshaded { reshaded_radiance, previous_guide, surface_motion } = self.inputs.source else {
@@ -218,6 +232,7 @@ impl Changes<'_> {
         let tolerance = self.tuning.depth_tolerance * expected + slope;
         let is_same = !before.is_background() && before.id == now.id && (before.linear_depth - expected).abs() <= tolerance;
         let radiance = reshaded_radiance?.at(j);
+        let is_same = is_same && self.stands_still(p, now.linear_depth, motion.motion.into());
         (is_same && is_finite(radiance)).then(|| self.change(storable(self.frame, radiance), j)).flatten()
     }
 }

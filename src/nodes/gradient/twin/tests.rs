@@ -3,6 +3,7 @@
 use super::*;
 use crate::nodes::demodulate::twin::noisy_luminance;
 use crate::reference::binary16::half_bits;
+use crate::reference::surface_motion::pack_surface_motion;
 use crate::reference::test_scene::*;
 use crate::reference::{pack_gradient_sample, GradientSample};
 use crate::Flags;
@@ -121,6 +122,32 @@ fn a_dense_image_counts_where_the_surface_was() {
     };
     let outputs = gradient(&frame(EXTENT), &svgf_tuning(), 3, &GradientInputs { source, ..inputs });
     assert!(outputs.gradient.texels().iter().all(|g| g[..2] == [0.0, 0.0]), "another surface was there");
+}
+
+/// A bar moved to the right before a bright wall, which the paths of the previous frame now see in its place.
+#[test]
+fn a_thing_that_moved_by_itself_has_no_paths_of_the_previous_frame() {
+    let again = paint(EXTENT, |x, _| if x < 3 { [9.0; 4] } else { [1.0; 4] });
+    let (guides, previous) = (guides(EXTENT, |_, _| surface(4.0)), luminance_of(1.0, 0.5));
+    let (albedo, red_blue) = (grey(0.5), Image::new(EXTENT, u32::from(half_bits(1.0)) * 0x1_0001));
+    let changes = |moved: f32| {
+        let surface_motion = paint(EXTENT, |_, _| pack_surface_motion([-moved, 0.0], Some((0.0, [0.0, 0.0, 1.0]))));
+        let inputs = GradientInputs {
+            guide: &guides.guide,
+            noisy: &[&grey(1.0)],
+            albedo: Some(&albedo),
+            previous_luminance: Some(&previous),
+            previous_red_blue: Some(&red_blue),
+            source: GradientInput::Reshaded {
+                reshaded_radiance: Some(&again),
+                previous_guide: Some(&guides.guide),
+                surface_motion: &surface_motion,
+            },
+        };
+        gradient(&frame(EXTENT), &svgf_tuning(), 3, &inputs).gradient.texels().iter().map(|g| g[1]).collect::<Vec<_>>()
+    };
+    assert_eq!(changes(3.0), [0.0; 2]);
+    assert!(changes(0.25).iter().all(|brightest| *brightest > 1.0), "what hardly moved keeps its paths");
 }
 
 fn pack(depth: f32) -> [u16; 4] {
