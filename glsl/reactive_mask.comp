@@ -41,15 +41,14 @@ layout(set = 0, binding = REACTIVE_MASK, rgba16f) uniform writeonly image2D reac
 layout(set = 0, binding = DEPTH) uniform texture2D depth;
 layout(set = 0, binding = SURFACE_ID_IMAGE) uniform utexture2D surface_id;
 
-#include "host_depth.glsl"
 #include "surface_id.glsl"
+#include "host_depth.glsl"
 
 float frames_of(uint packed) { return max(unpack_luminance_history(packed).history_length, 1.0); }
 
 // Of a rendered pixel.
 float depth_at(ivec2 p) {
-    if (!is_present(DEPTH)) return guide_depth(GuideBits(texelFetch(guide, p, 0)));
-    return depth_of(texelFetch(depth, host_pixel(DEPTH, p), 0).x, id_at(p), p);
+    return is_present(DEPTH) ? host_depth_at(p) : guide_depth(GuideBits(texelFetch(guide, p, 0)));
 }
 
 // Of the 2x2 pixels of light around a rendered pixel the one whose surface is nearest to its depth. With light of every pixel, its own.

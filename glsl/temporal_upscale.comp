@@ -77,7 +77,7 @@ layout(set = 0, binding = UPSCALED_RADIANCE, OUTGOING_FORMAT) uniform writeonly 
 // Of a rendered pixel; 0: background.
 float depth_at(ivec2 p) {
 #ifdef SURFACE_ID
-    return depth_of(texelFetch(depth, host_pixel(DEPTH, p), 0).x, id_at(p), p);
+    return host_depth_at(p);
 #else
     return guide_depth(GuideBits(imageLoad(guide, p)));
 #endif

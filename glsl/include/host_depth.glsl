@@ -1,8 +1,9 @@
-// Linear depth of a host's depth. Twin: Projections in src/reference/projection.rs.
+// Linear depth of a host's depth. Needs the binding `depth` at DEPTH, and the id of a pixel as `id_at`. Twin: Projections in src/reference/projection.rs.
 #ifndef HOST_DEPTH_GLSL
 #define HOST_DEPTH_GLSL
 #include "finite.glsl"
 #include "view_position.glsl"
+#include "viewport.glsl"
 
 const uint DEPTH_DEVICE = 1u;
 const uint DEPTH_RAY_LENGTH = 2u;
@@ -24,5 +25,7 @@ float depth_of(float d, uint id, ivec2 p) {
     bool background = !is_finite(z) || z < NEAREST_DEPTH || z >= frame.background_depth || id == 0u;
     return background ? 0.0 : z;
 }
+
+float host_depth_at(ivec2 p) { return depth_of(texelFetch(depth, host_pixel(DEPTH, p), 0).x, id_at(p), p); }
 
 #endif

@@ -14,14 +14,13 @@ layout(set = 0, binding = DEPTH) uniform texture2D depth;
 layout(set = 0, binding = NORMAL) uniform texture2D normal;
 layout(set = 0, binding = SURFACE_ID_IMAGE) uniform utexture2D surface_id;
 
+#include "surface_id.glsl"
 #include "host_depth.glsl"
 #include "host_normal.glsl"
-#include "surface_id.glsl"
 
 GuideBits rendered_guide_at(ivec2 p) {
     if (!is_present(NORMAL)) return GuideBits(texelFetch(guide, p, 0));
-    uint id = id_at(p);
-    float z = depth_of(texelFetch(depth, host_pixel(DEPTH, p), 0).x, id, p);
+    float z = host_depth_at(p);
     bool bad, apart = APART && is_present(ALBEDO) && is_apart(texelFetch(albedo, host_pixel(ALBEDO, p), 0).rgb);
     vec3 n = world_normal(p, bad);
     return z == 0.0 ? GuideBits(uvec4(0u)) : pack_guide(Guide(z, apart, n, vec2(0.0), 0u), 0u);

@@ -9,6 +9,7 @@ use crate::reference::conventions::{is_reset, is_reshaded};
 use crate::reference::guide::unpack_guide;
 use crate::reference::kept_radiance::{exposed, is_finite, kept_luminance, kept_radiance, kept_red_blue, radiance_of, storable};
 use crate::reference::projection::{extent_ratio, Projections};
+use crate::reference::reprojection::{reproject, HostMotion};
 use crate::reference::rules::{strata, EXACT};
 use crate::reference::strata::{unpack_gradient_sample, Strata};
 use crate::reference::surface_motion::unpack_surface_motion;
@@ -207,10 +208,9 @@ impl Changes<'_> {
 
     /// Whether a surface has moved as the camera made it: what moved by itself is not where paths of the previous frame are traced again.
     fn stands_still(&self, p: IVec2, linear_depth: f32, motion: Vec2) -> bool {
-        let world = self.projections.world_point(p.into(), linear_depth);
-        let current = Vec2::from(self.projections.sample_position(p.into())) * extent_ratio(self.frame);
-        let of_camera = self.projections.previous_position(world).map(|position| Vec2::from(position) - current);
-        of_camera.is_some_and(|of_camera| of_camera.distance(motion) <= STILL + STILL_SHARE * motion.length())
+        let without_own = HostMotion { texel: None, transform: None };
+        let of_camera = reproject(self.frame, &self.projections, p, linear_depth, without_own).motion;
+        of_camera.distance(motion) <= STILL + STILL_SHARE * motion.length()
     }
 
     /// The change at the previous pixel that showed the surface of `p`.

@@ -87,26 +87,30 @@ fn without_reshading_and_in_a_reset_there_is_no_gradient() {
     assert_eq!(left(&reset(reshaded_frame()), 1.0, 0.5, &dark)[..2], [0.0, 0.0]);
 }
 
+/// Of light that was 2 and is, where paths of the previous frame now see other radiances.
+fn of_paths_again(
+    again: &Image<[f32; 4]>,
+    guide: &Image<[u16; 4]>,
+    previous_guide: &Image<[u16; 4]>,
+    surface_motion: &Image<[u16; 4]>,
+) -> GradientOutputs {
+    let inputs = GradientInputs {
+        guide,
+        noisy: &[&grey(1.0)],
+        albedo: Some(&grey(0.5)),
+        previous_luminance: Some(&luminance_of(1.0, 0.5)),
+        previous_red_blue: Some(&Image::new(EXTENT, u32::from(half_bits(1.0)) * 0x1_0001)),
+        source: GradientInput::Reshaded { reshaded_radiance: Some(again), previous_guide: Some(previous_guide), surface_motion },
+    };
+    gradient(&frame(EXTENT), &svgf_tuning(), 3, &inputs)
+}
+
 #[test]
 fn a_dense_image_counts_where_the_surface_was() {
-    let previous = luminance_of(1.0, 0.5);
     // The right column of the left stratum has no sample, and half of the others changed.
     let again = paint(EXTENT, |x, _| [[1.0, 3.0, f32::NAN, 1.0, 1.0, 1.0][x as usize]; 4]);
     let guides = guides(EXTENT, |x, _| surface(if x == 5 { 0.0 } else { 4.0 }));
-    let (albedo, red_blue) = (grey(0.5), Image::new(EXTENT, u32::from(half_bits(1.0)) * 0x1_0001));
-    let inputs = GradientInputs {
-        guide: &guides.guide,
-        noisy: &[&grey(1.0)],
-        albedo: Some(&albedo),
-        previous_luminance: Some(&previous),
-        previous_red_blue: Some(&red_blue),
-        source: GradientInput::Reshaded {
-            reshaded_radiance: Some(&again),
-            previous_guide: Some(&guides.guide),
-            surface_motion: &guides.surface_motion,
-        },
-    };
-    let outputs = gradient(&frame(EXTENT), &svgf_tuning(), 3, &inputs);
+    let outputs = of_paths_again(&again, &guides.guide, &guides.guide, &guides.surface_motion);
     let [left, right] = outputs.gradient.texels() else { panic!("two strata") };
     assert!((left[0] - 2.0).abs() < 5e-3 && (left[1] - 4.0).abs() < 5e-3, "{left:?}");
     assert_eq!((right[0], (right[1] - 2.0).abs() < 5e-3), (0.0, true), "{right:?}");
@@ -115,12 +119,7 @@ fn a_dense_image_counts_where_the_surface_was() {
     let expected = [4.0, 4.0, 4.0, (3.0_f32 * 6.0 * 6.0 + 3.0 * 18.0 * 18.0).sqrt() / 6.0];
     assert!((0..4).all(|i| (light[i] - expected[i]).abs() < 2e-2), "{light:?} for {expected:?}");
     let hidden = Image::new(EXTENT, pack(9.0));
-    let source = GradientInput::Reshaded {
-        reshaded_radiance: Some(&again),
-        previous_guide: Some(&hidden),
-        surface_motion: &guides.surface_motion,
-    };
-    let outputs = gradient(&frame(EXTENT), &svgf_tuning(), 3, &GradientInputs { source, ..inputs });
+    let outputs = of_paths_again(&again, &guides.guide, &hidden, &guides.surface_motion);
     assert!(outputs.gradient.texels().iter().all(|g| g[..2] == [0.0, 0.0]), "another surface was there");
 }
 
@@ -128,23 +127,11 @@ fn a_dense_image_counts_where_the_surface_was() {
 #[test]
 fn a_thing_that_moved_by_itself_has_no_paths_of_the_previous_frame() {
     let again = paint(EXTENT, |x, _| if x < 3 { [9.0; 4] } else { [1.0; 4] });
-    let (guides, previous) = (guides(EXTENT, |_, _| surface(4.0)), luminance_of(1.0, 0.5));
-    let (albedo, red_blue) = (grey(0.5), Image::new(EXTENT, u32::from(half_bits(1.0)) * 0x1_0001));
+    let guide = guides(EXTENT, |_, _| surface(4.0)).guide;
     let changes = |moved: f32| {
         let surface_motion = paint(EXTENT, |_, _| pack_surface_motion([-moved, 0.0], Some((0.0, [0.0, 0.0, 1.0]))));
-        let inputs = GradientInputs {
-            guide: &guides.guide,
-            noisy: &[&grey(1.0)],
-            albedo: Some(&albedo),
-            previous_luminance: Some(&previous),
-            previous_red_blue: Some(&red_blue),
-            source: GradientInput::Reshaded {
-                reshaded_radiance: Some(&again),
-                previous_guide: Some(&guides.guide),
-                surface_motion: &surface_motion,
-            },
-        };
-        gradient(&frame(EXTENT), &svgf_tuning(), 3, &inputs).gradient.texels().iter().map(|g| g[1]).collect::<Vec<_>>()
+        let outputs = of_paths_again(&again, &guide, &guide, &surface_motion);
+        outputs.gradient.texels().iter().map(|g| g[1]).collect::<Vec<_>>()
     };
     assert_eq!(changes(3.0), [0.0; 2]);
     assert!(changes(0.25).iter().all(|brightest| *brightest > 1.0), "what hardly moved keeps its paths");
