@@ -94,7 +94,13 @@ pub fn reshaded() {
 
 pub(super) fn reshaded_sequence(config: &Config) {
     let config = Config { gradient_source: GradientSource::Reshaded, ..*config };
+    let width = config.allocated_extent[0] as usize;
     sequence(&config, config.allocated_extent, |s, i, scene| {
+        // A part of the picture moves by itself.
+        let mut motion = scene.frame(i, i).motion;
+        let part = (10..30).flat_map(|y| (10..50).map(move |x| y * width + x));
+        part.for_each(|at| motion[at][0] += 3.0 / width as f32);
+        s.upload("motion", &motion).expect("motion");
         let mut again = scene.frame(i.saturating_sub(1), i.saturating_sub(1)).noisy_radiance;
         again[40] = [f32::NAN; 4];
         match i {
