@@ -11,7 +11,7 @@
 // Constants: FILTERED: what is accumulated was filtered, so that what is kept longer is blurred more often.
 // MIXED: diffuse and specular light are one signal. The lobe is as wide as both together allow, and a past counts by how far it is off for the
 // part of the light that moves otherwise.
-// SHARP: irradiance by the cubic of Catmull and Rom (1974) over 4x4 taps, so that motion does not blur it.
+// SHARP: irradiance by the cubic of Catmull and Rom (1974) over 4x4 taps, so that motion does not blur it; taps count as far as normals agree.
 // optional: roughness, history_confidence, specular_hit_id, specular_motion, surface_id, instance_transforms, albedo, specular_albedo, material_class
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -230,15 +230,21 @@ bool is_same_surface(Centre c, ivec2 tap) {
 
 Past nothing() { return Past(false, 0.0, 0.0, 0.0, 0.0, 0.0, History(vec3(0.0), 0.0, 0.0)); }
 
+float likeness(Centre c, ivec2 tap) {
+    return SHARP ? normal_likeness(guide_normal(GuideBits(texelFetch(previous_guide, tap, 0))), c.expected) : 1.0;
+}
+
 // The tested 2x2 taps around a position, as a mean.
 Past past_at(Centre c, vec2 position) {
     Past sum = nothing();
-    float weights = 0.0;
+    float whole = 0.0, weights = 0.0;
     [[dont_unroll]] for (int i = 0; i < 4; ++i) {
         vec2 centre = floor(position) + vec2(i & 1, i >> 1), tent = 1.0 - abs(position - centre);
         ivec2 tap = ivec2(centre);
         float weight = tent.x * tent.y;
         if (!(weight > 0.0) || !is_same_surface(c, tap)) continue;
+        whole += weight;
+        weight *= likeness(c, tap);
         LuminanceHistory m = unpack_luminance_history(texelFetch(previous_luminance_history, tap, 0).x);
         uint packed = texelFetch(previous_reflection, tap, 0).x;
         Reflection r = unpack_reflection(packed);
@@ -251,10 +257,10 @@ Past past_at(Centre c, vec2 position) {
         sum.image_share += weight * (image_share == NO_PAST ? CHANCE_AT_FIRST : image_share);
         add_history(sum.light, texelFetch(history, tap, 0).rgb, m, c.origin, weight);
     }
-    if (weights < SMALLEST_WEIGHT_SUM) return nothing();
+    if (whole < SMALLEST_WEIGHT_SUM) return nothing();
     float scale = 1.0 / weights;
     History light = History(sum.light.irradiance * scale, sum.light.mean * scale, sum.light.second_moment * scale);
-    return Past(true, sum.frames * scale, sum.nearness * scale, sum.reach * scale, sum.roughness * scale, sum.image_share * scale, light);
+    return Past(true, sum.frames / whole, sum.nearness * scale, sum.reach * scale, sum.roughness * scale, sum.image_share * scale, light);
 }
 
 // Irradiance by the cubic; false where one of 4x4 taps that count is another surface, or the position lies on a pixel.

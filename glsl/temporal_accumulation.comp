@@ -7,8 +7,9 @@
 // Counts in statistics: surfaces with a history of their own, and those without by reason.
 // Constants: VOLUME: [PSVGF], along volume_motion; no test but that of the depth of the surface behind, and that less strict; no background.
 // REPAIR: [PSVGF], disocclusion repair: a wider search, motion cut at the border of the image. SHARP: irradiance by the cubic of Catmull and
-// Rom, where all its 4x4 taps show the surface, so that history does not blur as it moves. STRATUM_SIZE: with light_ratio. A pixel with a
-// negative alpha has no sample of its own, and what was filled in weighs less: so each signal has a history length of its own.
+// Rom, where all its 4x4 taps show the surface, so that history does not blur as it moves; taps count as far as normals agree.
+// STRATUM_SIZE: with light_ratio. A pixel with a negative alpha has no sample of its own, and what was filled in weighs less: so each
+// signal has a history length of its own.
 // optional: surface_motion, volume_motion, object_normal, previous_object_normal, history_confidence, light_ratio, material_class
 // variants: SIGNALS=1 SIGNALS=2
 #extension GL_EXT_control_flow_attributes : require
@@ -81,6 +82,8 @@ float origins[SIGNALS];
 
 struct Gathered {
     float weight;
+    // Of the same taps, had all of them the expected normal; with SHARP alone.
+    float whole;
     float history_lengths[SIGNALS];
     History signals[SIGNALS];
 };
@@ -88,6 +91,10 @@ struct Gathered {
 bool has_object_normals() { return is_present(OBJECT_NORMAL) && is_present(PREVIOUS_OBJECT_NORMAL); }
 
 vec3 unpack_object_normal(uint packed) { return unpack_octahedral(packed, 511.0, 10u); }
+
+vec3 normal_of(ivec2 tap, GuideBits packed) {
+    return has_object_normals() ? unpack_object_normal(texelFetch(previous_object_normal, tap, 0).x) : guide_normal(packed);
+}
 
 // `slack`: depth that the surface may have gained on the way to a tap that lies aside.
 uint refusal(ivec2 tap, Expected expected, float slack) {
@@ -99,11 +106,18 @@ uint refusal(ivec2 tap, Expected expected, float slack) {
     }
     uint reason = surface_refusal(packed, expected, slack);
     if (reason != REASON_NONE) return reason;
-    vec3 n = has_object_normals() ? unpack_object_normal(texelFetch(previous_object_normal, tap, 0).x) : guide_normal(packed);
-    return normal_refusal(n, expected);
+    return normal_refusal(normal_of(tap, packed), expected);
 }
 
-void add_tap(inout Gathered sum, ivec2 tap, float weight) {
+float likeness(ivec2 tap, Expected expected) {
+    if (!SHARP || VOLUME) return 1.0;
+    return normal_likeness(normal_of(tap, GuideBits(packed_at(previous_guide, tap))), expected);
+}
+
+// `whole`: the weight of a tap whose normal is as expected.
+void add_tap(inout Gathered sum, ivec2 tap, Expected expected, float whole) {
+    float weight = whole * likeness(tap, expected);
+    if (SHARP) sum.whole += whole;
     LuminanceHistory m = unpack_luminance_history(packed_at(previous_luminance_history_0, tap).x);
     sum.weight += weight;
     sum.history_lengths[0] += weight * m.history_length;
@@ -115,9 +129,12 @@ void add_tap(inout Gathered sum, ivec2 tap, float weight) {
 #endif
 }
 
+float whole_of(Gathered sum) { return SHARP ? sum.whole : sum.weight; }
+
 Gathered nothing() {
     Gathered sum;
     sum.weight = 0.0;
+    sum.whole = 0.0;
     for (int i = 0; i < SIGNALS; ++i) {
         sum.history_lengths[i] = 0.0;
         sum.signals[i] = History(vec3(0.0), 0.0, 0.0);
@@ -147,9 +164,9 @@ Gathered repair(vec2 start, vec2 position, Expected expected) {
             if (i == 4 && ring > 1) continue;
             ivec2 tap = nearest + ivec2(i % 3 - 1, i / 3 - 1) * ring;
             float slack = dot(abs(expected.gradient), abs(vec2(tap) - position));
-            if (refusal(tap, expected, slack) == REASON_NONE) add_tap(sum, tap, 1.0);
+            if (refusal(tap, expected, slack) == REASON_NONE) add_tap(sum, tap, expected, 1.0);
         }
-    for (int i = 0; i < SIGNALS; ++i) sum.history_lengths[i] = min(sum.history_lengths[i], REPAIRED_HISTORY_LENGTH * sum.weight);
+    for (int i = 0; i < SIGNALS; ++i) sum.history_lengths[i] = min(sum.history_lengths[i], REPAIRED_HISTORY_LENGTH * whole_of(sum));
     return sum;
 }
 
@@ -183,17 +200,17 @@ Gathered gather(vec2 position, Expected expected) {
         ivec2 offset = ivec2(i & 1, i >> 1);
         ivec2 tap = ivec2(corner) + offset;
         float weight = (offset.x == 1 ? f.x : 1.0 - f.x) * (offset.y == 1 ? f.y : 1.0 - f.y);
-        if (weight > 0.0 && refusal(tap, expected, 0.0) == REASON_NONE) add_tap(sum, tap, weight);
+        if (weight > 0.0 && refusal(tap, expected, 0.0) == REASON_NONE) add_tap(sum, tap, expected, weight);
     }
-    if (SHARP && !VOLUME && sum.weight > WHOLE_WEIGHT && f != vec2(0.0)) sharpen(sum, ivec2(corner), f, expected);
-    if (sum.weight >= SMALLEST_WEIGHT_SUM) return sum;
+    if (SHARP && !VOLUME && sum.whole > WHOLE_WEIGHT && f != vec2(0.0)) sharpen(sum, ivec2(corner), f, expected);
+    if (whole_of(sum) >= SMALLEST_WEIGHT_SUM) return sum;
     sum = nothing();
     ivec2 nearest = ivec2(floor(position + 0.5));
     // Rare, and where branches are masked instead of skipped every unrolled tap costs.
     [[dont_unroll]] for (int y = -1; y <= 1; ++y)
         [[dont_unroll]] for (int x = -1; x <= 1; ++x) {
             ivec2 tap = nearest + ivec2(x, y);
-            if (refusal(tap, expected, 0.0) == REASON_NONE) add_tap(sum, tap, 1.0);
+            if (refusal(tap, expected, 0.0) == REASON_NONE) add_tap(sum, tap, expected, 1.0);
         }
     return sum;
 }
@@ -294,7 +311,7 @@ void main() {
         float worth = sample_worth(texels[i].a);
         luminance_history[i] = first_luminance(irradiance[i], worth, reason);
         if (sum.weight > 0.0) {
-            float history_length = min(sum.history_lengths[i] * inverse + worth, longest);
+            float history_length = min(sum.history_lengths[i] / whole_of(sum) + worth, longest);
             History h = sum.signals[i];
             h = History(h.irradiance * inverse, h.mean * inverse, h.second_moment * inverse);
             vec2 least = adapted(vec2(push.alpha, push.alpha_moments) * worth, change);

@@ -18,6 +18,12 @@ const float QUIET = 0.1;
 const vec2 STEADY_MEAN = vec2(0.6, 1.2);
 const vec2 STEADY_BLOCK = vec2(1.0, 1.6);
 
+// Times the threshold from which a block counts alone, where it became darker and where brighter: what moves takes from one block as much as
+// it gives to the next. Old light that stays is a ghost, while new light may be a cluster of outliers.
+const vec2 ALONE = vec2(1.5, 2.0);
+// Fewer pixels tell nothing of their noise.
+const float ALONE_PIXELS = 8.0;
+
 // The blocks of the row with two around them, and the change of these with one around them.
 const uint WIDTH = ROW_BLOCKS + 4u;
 const uint CHANGES_WIDTH = ROW_BLOCKS + 2u;
@@ -64,14 +70,23 @@ float spread_from(uint corner) {
 }
 
 struct Change {
-    float of_mean;       // 0 to 1, over 3x3 blocks, in standard errors, against the threshold
+    float of_mean;       // 0 to 1, over 3x3 blocks or the one in the middle, in standard errors, against the threshold
     float of_pixels;     // the same of the differences of the block in the middle, where the noise explains none
     float unsteadiness;
 };
 
+// `spread`: of the means of the blocks around.
+float change_alone(BlockDifference block, float spread) {
+    if (block.count < ALONE_PIXELS) return 0.0;
+    float variance = max(block.count * block.deviation * block.deviation, block.count * block.count * spread * spread);
+    float least = push.change_threshold * (block.mean < 0.0 ? ALONE.x : ALONE.y);
+    return lin(least, 2.0 * least, errors_of(block.count * block.mean, variance, block.count * block.brighter));
+}
+
 Change change_of(uint corner) {
     float count = 0.0, sum = 0.0, variance = 0.0, brighter = 0.0, worst = 0.0, noise = 0.0, past_noise = 0.0;
     float squares = 0.0;
+    float spread = 0.0;
     bool complete = true;
     // Few invocations come here, and where branches are masked instead of skipped only a loop ends.
     [[dont_unroll]] for (uint i = 0u; i < 9u; ++i) {
@@ -90,7 +105,7 @@ Change change_of(uint corner) {
     }
     if (complete) {
         // Noise that neighbours share is not averaged within a block.
-        float spread = spread_from(corner);
+        spread = spread_from(corner);
         variance = max(variance, squares * spread * spread);
     }
     float errors = errors_of(sum, variance, brighter);
@@ -100,7 +115,8 @@ Change change_of(uint corner) {
     BlockDifference own = blocks[corner + 1u + WIDTH];
     float explained = own.brighter * max(noise, CHANGE_EPSILON * push.change_threshold), square = own.mean * own.mean + own.deviation * own.deviation;
     float departs = (1.0 - lin(QUIET, LOUD, max(noise, past_noise))) * lin(1.0, 2.0, square / max(explained * explained, 1e-12));
-    return Change(lin(push.change_threshold, 2.0 * push.change_threshold, errors), departs, 1.0 - steady);
+    float of_mean = max(lin(push.change_threshold, 2.0 * push.change_threshold, errors), change_alone(own, spread));
+    return Change(of_mean, departs, 1.0 - steady);
 }
 
 // Of the worst signal. Every invocation of a workgroup takes part in the barriers.

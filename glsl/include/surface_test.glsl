@@ -43,4 +43,14 @@ uint surface_refusal(GuideBits packed, Expected expected, float slack) {
 
 uint normal_refusal(vec3 n, Expected expected) { return dot(n, expected.normal) < expected.normal_tolerance ? REASON_NORMAL : REASON_NONE; }
 
+// Light turns with the surface, and the history of one that is thinner than a pixel creeps from face to face: it counts for less.
+const float SMALLEST_LIKENESS = 0.02;
+// Share of the tolerance beyond which normals that rounding sets apart are alike.
+const float FULL_LIKENESS = 0.95;
+
+float normal_likeness(vec3 n, Expected expected) {
+    float spare = dot(n, expected.normal) - expected.normal_tolerance;
+    return clamp(spare / (FULL_LIKENESS * max(1.0 - expected.normal_tolerance, 1e-3)), SMALLEST_LIKENESS, 1.0);
+}
+
 #endif

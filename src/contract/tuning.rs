@@ -112,7 +112,7 @@ tuning! {
     depth_tolerance: "1", 0.0 ..= 1.0, 0.1;
     /// Smallest cosine between expected and stored normal of a pixel's history. Raising it drops more history on curved and bumpy
     /// surfaces.
-    normal_tolerance: "1", -1.0 ..= 1.0, 0.7;
+    normal_tolerance: "1", -1.0 ..= 1.0, 0.85;
     /// Lower percentile of the luminance of 8×8 pixels (PSVGF). With one sample per pixel it is
     /// close to 0 at any setting.
     percentile_low: "share of the pixels", 0.0 ..= 1.0, 0.1;

@@ -144,3 +144,26 @@ fn noise_that_blocks_have_in_common_is_no_change() {
     let shared = confidence(&|x, y| 0.5 + 0.5 * ((7 * x + 3 * y).rem_euclid(5) - 2) as f32);
     assert_eq!(shared, 1.0, "the same mean, of blocks that differ by more");
 }
+
+/// The glow of a lamp in a mirror that moves on: what one block loses the next one gains.
+#[test]
+fn a_block_that_departs_alone_loses_its_history_sooner_where_it_became_darker() {
+    let frame = frame([40, 40]);
+    let tuning = Tuning { change_threshold: 2.5, ..svgf_tuning() };
+    // A standard error of 0.125: thresholds of 1.5 and 2 times 0.3125, from which confidence falls to 0 at twice as much.
+    let confidence = |darker: f32, brighter: f32, count: f32| {
+        let difference = paint([5, 5], |x, y| {
+            let mean = [0.0, 0.0, brighter, -darker, 0.0][x as usize] * f32::from(y == 2);
+            pack_difference(&Difference { mean, deviation: 1.0, count, brighter: 1.0, noise: 0.2, past_noise: 0.2 })
+        });
+        let all = change_test(&frame, &tuning, [40, 40], &[&difference]).history_confidence;
+        // The middle of a block lies between four pixels.
+        [20, 28].map(|x| all.at(glam::IVec2::new(x, 20)))
+    };
+    assert_eq!(confidence(0.45, 0.45, 64.0), [1.0, 1.0]);
+    let [brighter, darker] = confidence(0.6, 0.6, 64.0);
+    assert!(brighter > 0.95 && darker < 0.8, "4.8 standard errors: {brighter}, {darker}");
+    let [brighter, darker] = confidence(1.3, 1.3, 64.0);
+    assert!(brighter < 0.25 && darker < 0.25, "10.4 standard errors: {brighter}, {darker}");
+    assert_eq!(confidence(3.0, 3.0, 4.0), [1.0, 1.0], "four pixels tell nothing of their noise");
+}

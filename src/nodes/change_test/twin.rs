@@ -1,7 +1,7 @@
 //! The stage `change_test`: how far the history of a pixel is still true, by the mean difference of the blocks around and its
 //! standard error.
 
-use crate::nodes::block_difference::twin::{unpack_difference, LOUD};
+use crate::nodes::block_difference::twin::{unpack_difference, Difference, LOUD};
 use crate::nodes::percentile_rule::twin::lin;
 use crate::reference::bindings::Bindings;
 use crate::reference::blocks::{block_of, Blocks, BLOCK_SIZE};
@@ -21,6 +21,13 @@ const QUIET: f32 = 0.1;
 const STEADY_MEAN: [f32; 2] = [0.6, 1.2];
 /// The same of the worst of the nine blocks, whose noise is larger.
 const STEADY_BLOCK: [f32; 2] = [1.0, 1.6];
+
+/// Times the threshold from which a block counts alone where it became darker: old light that stays is a ghost.
+const ALONE_DARKER: f32 = 1.5;
+/// The same where it became brighter: new light may be a cluster of outliers.
+const ALONE_BRIGHTER: f32 = 2.0;
+/// Fewer pixels tell nothing of their noise.
+const ALONE_PIXELS: f32 = 8.0;
 
 /// Outputs of [`change_test`].
 #[derive(Clone, Debug, PartialEq)]
@@ -62,7 +69,7 @@ pub(crate) fn change_test(
 /// Changes of a block, 0 to 1.
 #[derive(Clone, Copy, Debug, Default)]
 struct Change {
-    /// Of the mean over 3×3 blocks, in standard errors, against the threshold.
+    /// Of the mean over 3×3 blocks or the one in the middle, in standard errors, against the threshold.
     of_mean: f32,
     /// Of the pixels of the block, where the noise explains none.
     of_pixels: f32,
@@ -103,10 +110,9 @@ fn change_of(tuning: &Tuning, blocks: Blocks, differences: &Image<[u16; 4]>, blo
         past_noise = past_noise.max(difference.past_noise);
         worst = worst.max(errors(of_block));
     }
-    if let Ok(means) = <[f32; 9]>::try_from(means) {
-        // Noise that neighbours share is not averaged within a block.
-        variance = variance.max(squares * spread_of(means).powi(2));
-    }
+    // Noise that neighbours share is not averaged within a block.
+    let spread = <[f32; 9]>::try_from(means).map_or(0.0, spread_of);
+    variance = variance.max(squares * spread * spread);
     let (k, errors) = (tuning.change_threshold, errors([sum, variance, brighter]));
     let steady = |shares: [f32; 2], errors| 1.0 - lin(shares[0] * k, shares[1] * k, errors);
     let steadiness = if pixels == 0.0 { 0.0 } else { steady(STEADY_MEAN, errors) * steady(STEADY_BLOCK, worst) };
@@ -114,7 +120,20 @@ fn change_of(tuning: &Tuning, blocks: Blocks, differences: &Image<[u16; 4]>, blo
     let explained = own.brighter * noise.max(CHANGE_EPSILON * k);
     let square = own.mean * own.mean + own.deviation * own.deviation;
     let of_pixels = (1.0 - lin(QUIET, LOUD, noise.max(past_noise))) * lin(1.0, 2.0, square / (explained * explained).max(1e-12));
-    Change { of_mean: lin(k, 2.0 * k, errors), of_pixels, unsteadiness: 1.0 - steadiness }
+    Change { of_mean: lin(k, 2.0 * k, errors).max(change_alone(k, &own, spread)), of_pixels, unsteadiness: 1.0 - steadiness }
+}
+
+/// What moves takes from one block as much as it gives to the next. `spread`: of the means of the blocks around.
+fn change_alone(k: f32, block: &Difference, spread: f32) -> f32 {
+    let of_block = block.count * block.deviation * block.deviation;
+    let variance = of_block.max((block.count * spread).powi(2));
+    let least = k * if block.mean < 0.0 { ALONE_DARKER } else { ALONE_BRIGHTER };
+    let errors = errors([block.count * block.mean, variance, block.count * block.brighter]);
+    if block.count < ALONE_PIXELS {
+        0.0
+    } else {
+        lin(least, 2.0 * least, errors)
+    }
 }
 
 /// A difference in standard errors.

@@ -72,7 +72,7 @@ pub(crate) struct TemporalAccumulationInputs<'a> {
     pub history_confidence: Option<&'a Image<f32>>,
     /// Repair of disocclusions, and a history as long as the confidence says \[PSVGF\].
     pub repair: bool,
-    /// Whether irradiance is looked up by a cubic, where 4×4 pixels show the surface.
+    /// Whether irradiance is looked up by a cubic, where 4×4 pixels show the surface, and taps count as far as their normals agree.
     pub sharp: bool,
     /// The ratio of light by which the history is scaled.
     pub light_ratio: Option<StrataRatio<'a>>,
@@ -125,6 +125,11 @@ impl History {
 /// Frames that the history of a neighbour is worth: it soon gives way to what the pixel sees itself.
 const REPAIRED_HISTORY_LENGTH: f32 = 4.0;
 
+/// What a tap is worth at least that passed the test of normals.
+const SMALLEST_LIKENESS: f32 = 0.02;
+/// Share of the tolerance beyond which normals that rounding sets apart are alike.
+const FULL_LIKENESS: f32 = 0.95;
+
 /// Accumulates every signal; they share taps, and the history length but for holes.
 pub(crate) fn temporal_accumulation(
     frame: &FrameConstants,
@@ -143,14 +148,22 @@ pub(crate) fn temporal_accumulation(
     let histories = Image::compute(extent, frame.render_extent, |p| {
         let surface = unpack_guide(inputs.guide.at(p));
         match &surfaces {
-            _ if surface.is_background() => History::Background,
-            Some(surfaces) => reprojected(frame, &tuning_of(p), inputs, surface, p).history(surfaces, inputs.repair, inputs.sharp),
-            None => History::Disoccluded(Reason::Reset),
+            _ if surface.is_background() => (History::Background, 1.0),
+            Some(surfaces) => {
+                let reprojected = reprojected(frame, &tuning_of(p), inputs, surface, p);
+                let history = reprojected.history(surfaces, inputs.repair, inputs.sharp);
+                if inputs.sharp {
+                    reprojected.by_likeness(history, surfaces)
+                } else {
+                    (history, 1.0)
+                }
+            }
+            None => (History::Disoccluded(Reason::Reset), 1.0),
         }
     });
     let mut outputs =
         TemporalAccumulationOutputs { irradiance: Vec::new(), luminance_history: Vec::new(), statistics: Statistics::default() };
-    histories.texels().iter().filter_map(History::counter).for_each(|counter| outputs.statistics[counter] += 1);
+    histories.texels().iter().filter_map(|(history, _)| history.counter()).for_each(|counter| outputs.statistics[counter] += 1);
     if let Some(classes) = inputs.material_class {
         outputs.statistics[Counter::MaterialClass] = classes_beyond(frame, classes, inputs.guide);
     }
@@ -270,6 +283,23 @@ impl Reprojected {
         there.refusal_aside(surfaces, q, 0.1 * aside.length() * self.depth_gradient.abs().element_sum()) == Reason::None
     }
 
+    /// How alike the normal of a tap is to that which is expected: 1, to nearly 0 at the tolerance.
+    pub(crate) fn likeness(&self, tap: &Surface) -> f32 {
+        let spare = tap.unit_normal().dot(self.normal) - self.normal_tolerance;
+        (spare / (FULL_LIKENESS * (1.0 - self.normal_tolerance).max(1e-3))).clamp(SMALLEST_LIKENESS, 1.0)
+    }
+
+    /// With taps that weigh as much as they are alike, and their likeness as a whole.
+    fn by_likeness(&self, mut history: History, surfaces: &Image<Surface>) -> (History, f32) {
+        let (History::Taps(taps) | History::Sharp(taps, _) | History::Repaired(taps, _)) = &mut history else {
+            return (history, 1.0);
+        };
+        taps.iter_mut().filter(|tap| tap.1 > 0.0).for_each(|(q, weight)| *weight *= self.likeness(&surfaces.at(*q)));
+        let sum: f32 = taps.iter().map(|tap| tap.1).sum();
+        taps.iter_mut().for_each(|tap| tap.1 /= sum);
+        (history, sum)
+    }
+
     fn history(&self, surfaces: &Image<Surface>, repair: bool, sharp: bool) -> History {
         let slack = 2.0 * self.depth_gradient.abs().element_sum();
         taps::find(self.s, |q| self.refusal(surfaces, q))
@@ -316,7 +346,7 @@ impl Reprojected {
 fn accumulate(
     frame: &FrameConstants,
     c: [f32; 4],
-    history: History,
+    (history, likeness): (History, f32),
     bounds: AlphaBounds,
     signal: Option<&SignalHistory>,
     ratio: [f32; 3],
@@ -332,7 +362,7 @@ fn accumulate(
     if let History::Sharp(_, cubic) = history {
         irradiance = [0, 1, 2].map(|i| cubic.iter().map(|(q, weight)| weight * signal.irradiance.at(*q)[i]).sum());
     }
-    let before = LuminanceHistory { history_length: before.history_length.min(longest), ..before };
+    let before = LuminanceHistory { history_length: (before.history_length * likeness).min(longest), ..before };
     blend(frame, c, irradiance, &before, bounds, ratio)
 }
 

@@ -368,19 +368,21 @@ impl Scene<'_> {
     fn past_at(&self, c: &Centre, position: Vec2) -> Option<Past> {
         let corner = position.floor();
         let f = position - corner;
-        let (mut sum, mut weights) = (Past::default(), 0.0);
+        let (mut sum, mut whole, mut weights) = (Past::default(), 0.0, 0.0);
         for (x, y) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
             let q = corner.as_ivec2() + IVec2::new(x, y);
             let weight = (if x == 0 { 1.0 - f.x } else { f.x }) * (if y == 0 { 1.0 - f.y } else { f.y });
             if weight > 0.0 && c.reprojected.is_on_plane(&self.previous_surfaces, q) {
-                sum.add(&self.tap(c, q), weight);
-                weights += weight;
+                let likeness = if self.inputs.is_sharp { c.reprojected.likeness(&self.previous_surfaces.at(q)) } else { 1.0 };
+                sum.add(&self.tap(c, q), weight * likeness);
+                whole += weight;
+                weights += weight * likeness;
             }
         }
-        (weights >= SMALLEST_WEIGHT_SUM).then(|| {
+        (whole >= SMALLEST_WEIGHT_SUM).then(|| {
             let mut mean = Past::default();
             mean.add(&sum, 1.0 / weights);
-            mean
+            Past { frames: sum.frames / whole, ..mean }
         })
     }
 

@@ -16,6 +16,7 @@ struct Scene {
     expected: (f32, [f32; 3]),
     gradient: [f32; 2],
     before: Image<Surface>,
+    sharp: bool,
 }
 
 impl Scene {
@@ -26,6 +27,7 @@ impl Scene {
             expected: (0.0, [0.0, 0.0, 1.0]),
             gradient: [0.0; 2],
             before: Image::new(EXTENT, surface(4.0)),
+            sharp: false,
         }
     }
 
@@ -54,6 +56,7 @@ impl Scene {
             &frame(EXTENT),
             &tuning,
             &TemporalAccumulationInputs {
+                sharp: self.sharp,
                 previous: Some(PreviousFrame {
                     guide: &self.before.map(pack_guide),
                     signals: &[SignalHistory { irradiance: &columns, luminance_history: &luminance_history }],
@@ -106,6 +109,32 @@ fn a_refused_tap_gives_its_weight_to_the_others() {
     Scene::new([0.25, 0.25])
         .with(|x, y, s| s.normal = if (x, y) == (3, 3) { [1.0, 0.0, 0.0] } else { s.normal })
         .assert_history((3.0 * 0.1875 + 4.0 * (0.0625 + 0.1875)) / (0.1875 + 0.0625 + 0.1875));
+}
+
+#[test]
+fn a_tap_that_is_turned_away_counts_for_less() {
+    // Cosine 0.95, but for the rounding of stored normals, at column 4 where 0.9 is tolerated; another surface at column 5 keeps the cubic away.
+    let turned = [(1.0f32 - 0.95 * 0.95).sqrt(), 0.0, 0.95];
+    let scene = |motion| {
+        Scene { sharp: true, ..Scene::new(motion) }.with(|x, _, s| match x {
+            4 => s.normal = turned,
+            5 => s.id = 2,
+            _ => {}
+        })
+    };
+    let likeness = (0.95 - 0.9) / (0.95 * 0.1);
+    let whole = 0.75 + 0.25 * likeness;
+    let between = scene([0.25, 0.0]).assert_history((0.75 * 3.0 + 0.25 * likeness * 4.0) / whole);
+    assert!((between.history_length - (1003.0 * whole + 1.0)).abs() < 2.0, "{between:?}");
+    // A turned surface without another beside it is all that is known, for a shorter time.
+    let alone = scene([1.0, 0.0]).assert_history(4.0);
+    assert!((alone.history_length - (1003.0 * likeness + 1.0)).abs() < 10.0, "{alone:?}");
+    let without = Scene { sharp: false, ..scene([1.0, 0.0]) }.assert_history(4.0);
+    assert!((without.history_length - 1004.0).abs() < 2.0, "{without:?}");
+    // What rounding turns is as good as the same.
+    let rounded =
+        Scene { sharp: true, ..Scene::new([0.0, 0.0]) }.with(|_, _, s| s.normal = [0.05, 0.0, 0.99875]).assert_history(3.0);
+    assert!((rounded.history_length - 1004.0).abs() < 1.0, "{rounded:?}");
 }
 
 #[test]

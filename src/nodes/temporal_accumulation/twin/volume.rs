@@ -43,7 +43,7 @@ pub(crate) fn volume_accumulation(
             let s = (p.as_vec2() + 0.5) * extent_ratio(frame) + motion - 0.5;
             taps::find(s, refusal).unwrap_or_else(|| History::Disoccluded(refusal(taps::nearest(s))))
         });
-        let (c, luminance_history) = accumulate(frame, inputs.radiance.at(p), history, bounds, signal, [1.0; 3]);
+        let (c, luminance_history) = accumulate(frame, inputs.radiance.at(p), (history, 1.0), bounds, signal, [1.0; 3]);
         (c, luminance_history.in_halves())
     });
     (texels.map(|t| t.0), texels.map(|t| t.1))
