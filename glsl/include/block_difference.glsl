@@ -79,7 +79,7 @@ void write_block_difference() {
     // Of white noise, a second difference has six times its variance. Without one, nothing is known of it.
     bool is_known = sum.curved > 0.0 && brighter > 0.0;
     float noise = is_known ? sqrt(sum.curvature / (6.0 * sum.curved)) / brighter : LOUD;
-    float past_noise = is_known ? sqrt(sum.variance * inverse) / brighter : LOUD;
+    float past_noise = is_known ? sqrt(sum.variance * inverse) / brighter : RARE;
     BlockDifference difference = BlockDifference(mean, sqrt(variance), sum.count, brighter, noise, past_noise);
     imageStore(block_difference, block, pack_block_difference(difference));
 }

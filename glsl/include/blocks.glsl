@@ -42,26 +42,27 @@ struct BlockDifference {
     float deviation;  // of one difference, the noise of the history included
     float count;      // pixels with a history
     float brighter;   // the larger of the mean luminances of both sides
-    // As shares of the brighter side, of which LOUD and more are one:
+    // As shares of the brighter side, of which LOUD, and RARE, and more are one:
     float noise;       // deviation of a pixel from those above and below
     float past_noise;  // deviation of samples up to the previous frame, which knows of rare light
 };
 
 const float LOUD = 0.2;
+const float RARE = 1.5;
 const float NOISE_STEPS = 31.0;
 const float PAST_NOISE_STEPS = 15.0;
 
-uint noise_steps(float noise, float steps) { return uint(floor(min(noise, LOUD) / LOUD * steps + 0.5)); }
+uint steps_of(float noise, float most, float steps) { return uint(floor(min(noise, most) / most * steps + 0.5)); }
 
 uvec4 pack_block_difference(BlockDifference d) {
     vec3 values = clamp(vec3(d.mean, d.deviation, d.brighter), -65504.0, 65504.0);
-    uint noise = noise_steps(d.noise, NOISE_STEPS), past_noise = noise_steps(d.past_noise, PAST_NOISE_STEPS);
+    uint noise = steps_of(d.noise, LOUD, NOISE_STEPS), past_noise = steps_of(d.past_noise, RARE, PAST_NOISE_STEPS);
     uint packed = uint(d.count) | noise << 7 | past_noise << 12;
     return uvec4(half_bits(values.x), half_bits(values.y), packed, half_bits(values.z));
 }
 
 BlockDifference unpack_block_difference(uvec4 packed) {
-    float noise = float(packed.z >> 7 & 31u) * (LOUD / NOISE_STEPS), past_noise = float(packed.z >> 12) * (LOUD / PAST_NOISE_STEPS);
+    float noise = float(packed.z >> 7 & 31u) * (LOUD / NOISE_STEPS), past_noise = float(packed.z >> 12) * (RARE / PAST_NOISE_STEPS);
     return BlockDifference(half_value(packed.x), half_value(packed.y), float(packed.z & 127u), half_value(packed.w), noise, past_noise);
 }
 

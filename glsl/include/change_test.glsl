@@ -13,6 +13,8 @@ const float CHANGE_EPSILON = 0.01;
 
 // Noise up to here, as a share of the light, hides no change.
 const float QUIET = 0.1;
+// Samples of the past that spread by more than this share of the light were rare. What a shadow took and gave spreads them by less.
+const float SPREAD = 1.0;
 
 // Shares of the threshold between which steadiness falls from 1 to 0: of the mean, and of the worst of nine blocks, whose noise is larger.
 const vec2 STEADY_MEAN = vec2(0.6, 1.2);
@@ -114,7 +116,8 @@ Change change_of(uint corner) {
     noise = sqrt(noise / max(count, 1.0));
     BlockDifference own = blocks[corner + 1u + WIDTH];
     float explained = own.brighter * max(noise, CHANGE_EPSILON * push.change_threshold), square = own.mean * own.mean + own.deviation * own.deviation;
-    float departs = (1.0 - lin(QUIET, LOUD, max(noise, past_noise))) * lin(1.0, 2.0, square / max(explained * explained, 1e-12));
+    float is_quiet = (1.0 - lin(QUIET, LOUD, noise)) * (1.0 - lin(SPREAD, RARE, past_noise));
+    float departs = is_quiet * lin(1.0, 2.0, square / max(explained * explained, 1e-12));
     float of_mean = max(lin(push.change_threshold, 2.0 * push.change_threshold, errors), change_alone(own, spread));
     return Change(of_mean, departs, 1.0 - steady);
 }

@@ -124,7 +124,8 @@ fn light_without_noise_loses_the_history_of_what_changed() {
     };
     assert_eq!(confidence(0.0, 0.0), [0.0, 1.0]);
     assert_eq!(confidence(1.0, 0.0), [1.0, 1.0], "noise explains it");
-    assert_eq!(confidence(0.0, 1.0), [1.0, 1.0], "rare light explains it, which this frame has none of");
+    assert_eq!(confidence(0.0, 0.3), [0.0, 1.0], "a shadow that moved spread the samples of its past by as much");
+    assert_eq!(confidence(0.0, 2.0), [1.0, 1.0], "rare light explains it, which this frame has none of");
 }
 
 /// Neighbours that share a sample share its noise, which the deviations of single pixels do not show.

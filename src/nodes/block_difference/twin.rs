@@ -26,20 +26,22 @@ pub(crate) struct Difference {
     pub brighter: f32,
     /// Deviation of a pixel from those above and below, as a share of `brighter`; [`LOUD`] and more are one.
     pub noise: f32,
-    /// The same of samples up to the previous frame, which knows of rare light.
+    /// The same of samples up to the previous frame, which knows of rare light; [`RARE`] and more are one.
     pub past_noise: f32,
 }
 
 /// The largest share of the light that noise is told as.
 pub(crate) const LOUD: f32 = 0.2;
+/// The largest share of the light that noise of the past is told as.
+pub(crate) const RARE: f32 = 1.5;
 const NOISE_STEPS: f32 = 31.0;
 const PAST_NOISE_STEPS: f32 = 15.0;
 
 /// A texel of `block_difference*`.
 pub(crate) fn pack_difference(difference: &Difference) -> [u16; 4] {
     let limited = |x: f32| half_bits(x.clamp(-LARGEST_HALF, LARGEST_HALF));
-    let steps = |noise: f32, steps: f32| (noise.min(LOUD) / LOUD * steps + 0.5).floor() as u16;
-    let (noise, past) = (steps(difference.noise, NOISE_STEPS), steps(difference.past_noise, PAST_NOISE_STEPS));
+    let steps = |noise: f32, most: f32, steps: f32| (noise.min(most) / most * steps + 0.5).floor() as u16;
+    let (noise, past) = (steps(difference.noise, LOUD, NOISE_STEPS), steps(difference.past_noise, RARE, PAST_NOISE_STEPS));
     let packed = difference.count as u16 | noise << 7 | past << 12;
     [limited(difference.mean), limited(difference.deviation), packed, limited(difference.brighter)]
 }
@@ -48,7 +50,7 @@ pub(crate) fn pack_difference(difference: &Difference) -> [u16; 4] {
 pub(crate) fn unpack_difference(texel: [u16; 4]) -> Difference {
     let [mean, deviation, _, brighter] = texel.map(from_half_bits);
     let [count, noise, past] = [texel[2] & 127, texel[2] >> 7 & 31, texel[2] >> 12].map(f32::from);
-    let (noise, past_noise) = (noise * (LOUD / NOISE_STEPS), past * (LOUD / PAST_NOISE_STEPS));
+    let (noise, past_noise) = (noise * (LOUD / NOISE_STEPS), past * (RARE / PAST_NOISE_STEPS));
     Difference { mean, deviation, count, brighter, noise, past_noise }
 }
 
@@ -96,7 +98,7 @@ struct Pair {
 /// Of pixels by row and column.
 fn difference_of(pairs: &BTreeMap<(i32, i32), Pair>) -> Difference {
     if pairs.is_empty() {
-        return Difference { noise: LOUD, past_noise: LOUD, ..Difference::default() };
+        return Difference { noise: LOUD, past_noise: RARE, ..Difference::default() };
     }
     let mean = |value: &dyn Fn(&Pair) -> f32| pairs.values().map(value).sum::<f32>() / pairs.len() as f32;
     let (now, before) = (mean(&|pair| pair.now), mean(&|pair| pair.before));
@@ -108,7 +110,7 @@ fn difference_of(pairs: &BTreeMap<(i32, i32), Pair>) -> Difference {
     let (curved, curvature) = curves.fold((0.0, 0.0), |(count, sum), curve: f32| (count + 1.0, sum + curve * curve));
     let [noise, past_noise] = match curved > 0.0 && brighter > 0.0 {
         true => [curvature / (6.0 * curved), mean(&|pair| pair.variance)].map(|variance: f32| variance.sqrt() / brighter),
-        false => [LOUD; 2],
+        false => [LOUD, RARE],
     };
     Difference { mean: now - before, deviation: variance.sqrt(), count: pairs.len() as f32, brighter, noise, past_noise }
 }

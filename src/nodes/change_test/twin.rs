@@ -1,7 +1,7 @@
 //! The stage `change_test`: how far the history of a pixel is still true, by the mean difference of the blocks around and its
 //! standard error.
 
-use crate::nodes::block_difference::twin::{unpack_difference, Difference, LOUD};
+use crate::nodes::block_difference::twin::{unpack_difference, Difference, LOUD, RARE};
 use crate::nodes::percentile_rule::twin::lin;
 use crate::reference::bindings::Bindings;
 use crate::reference::blocks::{block_of, Blocks, BLOCK_SIZE};
@@ -16,6 +16,8 @@ pub(crate) const CHANGE_EPSILON: f32 = 0.01;
 
 /// Noise up to here, as a share of the light, hides no change.
 const QUIET: f32 = 0.1;
+/// Samples of the past that spread by more than this share of the light were rare. What a shadow took and gave spreads them by less.
+const SPREAD: f32 = 1.0;
 
 /// Shares of the threshold between which steadiness falls from 1 to 0: of the mean difference over 3×3 blocks.
 const STEADY_MEAN: [f32; 2] = [0.6, 1.2];
@@ -119,7 +121,8 @@ fn change_of(tuning: &Tuning, blocks: Blocks, differences: &Image<[u16; 4]>, blo
     let (own, noise) = (unpack_difference(differences.at(block)), (noise / pixels.max(1.0)).sqrt());
     let explained = own.brighter * noise.max(CHANGE_EPSILON * k);
     let square = own.mean * own.mean + own.deviation * own.deviation;
-    let of_pixels = (1.0 - lin(QUIET, LOUD, noise.max(past_noise))) * lin(1.0, 2.0, square / (explained * explained).max(1e-12));
+    let is_quiet = (1.0 - lin(QUIET, LOUD, noise)) * (1.0 - lin(SPREAD, RARE, past_noise));
+    let of_pixels = is_quiet * lin(1.0, 2.0, square / (explained * explained).max(1e-12));
     Change { of_mean: lin(k, 2.0 * k, errors).max(change_alone(k, &own, spread)), of_pixels, unsteadiness: 1.0 - steadiness }
 }
 
