@@ -13,7 +13,7 @@ const float CHANGE_EPSILON = 0.01;
 
 // Noise up to here, as a share of the light, hides no change.
 const float QUIET = 0.1;
-// Samples of the past that spread by more than this share of the light were rare. What a shadow took and gave spreads them by less.
+// Samples of the past that spread by more than this share of the light were rare. A shadow that moves spreads them by less.
 const float SPREAD = 1.0;
 
 // Shares of the threshold between which steadiness falls from 1 to 0: of the mean, and of the worst of nine blocks, whose noise is larger.
@@ -72,7 +72,7 @@ float spread_from(uint corner) {
 }
 
 struct Change {
-    float of_mean;       // 0 to 1, over 3x3 blocks or the one in the middle, in standard errors, against the threshold
+    float of_mean;       // 0 to 1, over 3x3 blocks or the one in the middle alone, in standard errors, against the threshold
     float of_pixels;     // the same of the differences of the block in the middle, where the noise explains none
     float unsteadiness;
 };
@@ -87,8 +87,7 @@ float change_alone(BlockDifference block, float spread) {
 
 Change change_of(uint corner) {
     float count = 0.0, sum = 0.0, variance = 0.0, brighter = 0.0, worst = 0.0, noise = 0.0, past_noise = 0.0;
-    float squares = 0.0;
-    float spread = 0.0;
+    float squares = 0.0, spread = 0.0;
     bool complete = true;
     // Few invocations come here, and where branches are masked instead of skipped only a loop ends.
     [[dont_unroll]] for (uint i = 0u; i < 9u; ++i) {

@@ -30,6 +30,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("specular", || sequence(&Config { signals: Signals::Specular, ..svgf([67, 35]) })),
     ("specular_in_a_larger_image", || sequence_of(&Config { signals: Signals::Specular, ..percentile([66, 40]) }, [37, 21])),
     ("mixed_signal", specular::mixed_signal),
+    ("light_that_moves_between_blocks", light_between_blocks),
     ("specular_fast", || sequence(&Config { preset: Preset::Fast, signals: Signals::Specular, ..Config::new([40, 23]) })),
     ("specular_eaw", || sequence(&Config { preset: Preset::Eaw, signals: Signals::Specular, ..Config::new([40, 23]) })),
     ("specular_by_f0", specular::by_f0),
@@ -213,6 +214,30 @@ fn tuned_sequence(config: &Config, extent: [u32; 2], tuning: Tuning) {
         let reset = (i == 4).then_some(ResetReason::CameraCut);
         let params = FrameParams { jitter, reset, exposure_ratio: if i == 3 { 1.5 } else { 1.0 }, ..scene.params(i) };
         run(&mut s, &params, &tuning);
+    }
+    assert_valid();
+}
+
+/// Light that two blocks hand to and fro, of which a mean over both knows nothing, in noise that hides single pixels and in little.
+fn light_between_blocks() {
+    for noise in [0.05, 0.5] {
+        let config = Config { preset: Preset::Fast, ..Config::new([67, 35]) };
+        let scene = Scene { noise, ..Scene::new(config.allocated_extent) };
+        let mut s = session_with(&config, SessionOptions { poison: true, keep_transients: true, ..Default::default() });
+        for i in 0..6 {
+            let mut guides = scene.frame(i, i);
+            for (at, texel) in guides.noisy_radiance.iter_mut().enumerate().filter(|(at, _)| (8..16).contains(&(at / 67))) {
+                let darker = [0.4, 1.6][i as usize % 2];
+                let factor = match at % 67 {
+                    24..32 => darker,
+                    32..40 => 2.0 - darker,
+                    _ => 1.0,
+                };
+                texel[..3].iter_mut().for_each(|c| *c *= factor);
+            }
+            upload(&mut s, &guides);
+            run(&mut s, &scene.params(i), &Tuning::for_preset(config.preset));
+        }
     }
     assert_valid();
 }

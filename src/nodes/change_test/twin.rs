@@ -16,7 +16,7 @@ pub(crate) const CHANGE_EPSILON: f32 = 0.01;
 
 /// Noise up to here, as a share of the light, hides no change.
 const QUIET: f32 = 0.1;
-/// Samples of the past that spread by more than this share of the light were rare. What a shadow took and gave spreads them by less.
+/// Samples of the past that spread by more than this share of the light were rare. A shadow that moves spreads them by less.
 const SPREAD: f32 = 1.0;
 
 /// Shares of the threshold between which steadiness falls from 1 to 0: of the mean difference over 3×3 blocks.
@@ -128,15 +128,13 @@ fn change_of(tuning: &Tuning, blocks: Blocks, differences: &Image<[u16; 4]>, blo
 
 /// What moves takes from one block as much as it gives to the next. `spread`: of the means of the blocks around.
 fn change_alone(k: f32, block: &Difference, spread: f32) -> f32 {
-    let of_block = block.count * block.deviation * block.deviation;
-    let variance = of_block.max((block.count * spread).powi(2));
-    let least = k * if block.mean < 0.0 { ALONE_DARKER } else { ALONE_BRIGHTER };
-    let errors = errors([block.count * block.mean, variance, block.count * block.brighter]);
     if block.count < ALONE_PIXELS {
-        0.0
-    } else {
-        lin(least, 2.0 * least, errors)
+        return 0.0;
     }
+    let variance = (block.count * block.deviation * block.deviation).max((block.count * spread).powi(2));
+    let errors = errors([block.count * block.mean, variance, block.count * block.brighter]);
+    let least = k * if block.mean < 0.0 { ALONE_DARKER } else { ALONE_BRIGHTER };
+    lin(least, 2.0 * least, errors)
 }
 
 /// A difference in standard errors.

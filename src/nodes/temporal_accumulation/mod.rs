@@ -20,7 +20,8 @@ pub struct Accumulation {
     pub repair: bool,
     /// Whether irradiance of the history is read by the cubic of Catmull and Rom, where 4×4 pixels
     /// show the surface. Otherwise 2×2 pixels are read, which blurs a little more with every frame
-    /// of motion. Pixels also count as far as their normals agree with the surface. Default: false.
+    /// of motion. A pixel whose normal differs from that of the surface also counts for less.
+    /// Default: false.
     pub sharp: bool,
     /// Ratio of light by which history is scaled before the blend, with the confidence of the same gradients. Default: none.
     pub light_ratio: Option<LightRatio>,

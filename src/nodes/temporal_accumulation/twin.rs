@@ -151,11 +151,9 @@ pub(crate) fn temporal_accumulation(
             _ if surface.is_background() => (History::Background, 1.0),
             Some(surfaces) => {
                 let reprojected = reprojected(frame, &tuning_of(p), inputs, surface, p);
-                let history = reprojected.history(surfaces, inputs.repair, inputs.sharp);
-                if inputs.sharp {
-                    reprojected.by_likeness(history, surfaces)
-                } else {
-                    (history, 1.0)
+                match reprojected.history(surfaces, inputs.repair, inputs.sharp) {
+                    history if inputs.sharp => reprojected.by_likeness(history, surfaces),
+                    history => (history, 1.0),
                 }
             }
             None => (History::Disoccluded(Reason::Reset), 1.0),
