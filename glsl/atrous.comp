@@ -7,7 +7,8 @@
 // rare light keeps its mean. Else [SVGF] eq. 5. VOLUME: steered by the depth of the surface behind alone, and less strictly [PSVGF]; the
 // background takes part. LAST: of a volume, what goes out: in the exposure of the host.
 // With SPECULAR the last signal no wider than the lobe of the surface blurs what is seen in it: by its radius on the screen, by normals within it,
-// and by hit distance [ours]; a mirror is not filtered at all.
+// and by hit distance [ours]; a mirror is not filtered at all. Things in it are told apart by their hue as well, and where no hit distance is
+// known more strictly.
 // MATERIAL is a set of bindings of its own, since no other image could stand in for material_class.
 // variants: SIGNALS=1 SIGNALS=2 SIGNALS=1,SPECULAR=1 SIGNALS=2,SPECULAR=1
 // variants: SIGNALS=1,MATERIAL=1 SIGNALS=2,MATERIAL=1 SIGNALS=1,SPECULAR=1,MATERIAL=1 SIGNALS=2,SPECULAR=1,MATERIAL=1
@@ -48,8 +49,14 @@ layout(push_constant) uniform Push {
 #define input_at(name, pixel) imageLoad(name, pixel)
 #endif
 #include "packed_image.glsl"
+#include "rare_light.glsl"
 #ifdef SPECULAR
 #include "reflection.glsl"
+const bool SPECULAR_0 = OURS && SIGNALS == 1;
+const bool SPECULAR_1 = OURS;
+#else
+const bool SPECULAR_0 = false;
+const bool SPECULAR_1 = false;
 #endif
 
 // Storage images are read where there may be as many, for the reasons that packed_image.glsl has.
@@ -90,6 +97,11 @@ const float LUMINANCE_EPSILON = 1e-4;
 const float TAP_SHARE = 0.38;
 // Of the weight that a difference of luminance takes from a tap, the part that stays on the centre.
 const float KEPT_SHARE = 0.5;
+// Where no hit distance is known, the most that a deviation around counts, over the own one, unless light is rare there.
+const float UNKNOWN_SHARE = 1.5;
+const float ANY_DEVIATION = 65504.0;
+// The most that a difference of hue counts, squared, over the luminance of the centre: of what is dark it says little.
+const float MOST_OF_HUE = 4.0;
 
 const float CENTRE_KERNEL = KERNEL == SPLINE_KERNEL ? 9.0 / 64.0 : 1.0 / 9.0;
 
@@ -129,6 +141,9 @@ struct Centre {
     float luminance;
     float deviation;
     float sharpness;  // of luminance
+    bool is_specular;
+    float tolerated;  // of a tap whose light is not rare, the largest deviation that counts
+    vec3 hue;
 };
 
 // Of the material.
@@ -137,18 +152,33 @@ float sigma_l;
 // log2(e) over the denominator of eq. 5.
 float luminance_sharpness(float deviation) { return LOG2_E / (sigma_l * deviation + LUMINANCE_EPSILON); }
 
-Centre centre_of(vec4 value, float variance) {
+Centre centre_of(vec4 value, float variance, bool is_specular, float tolerated) {
     float deviation = sqrt(variance);
-    return Centre(luminance(value.rgb), deviation, luminance_sharpness(deviation));
+    float l = luminance(value.rgb);
+    return Centre(l, deviation, luminance_sharpness(deviation), is_specular, tolerated, value.rgb / max(l, 1e-12));
+}
+
+// Of a tap.
+float counted_deviation(float deviation, bool is_specular, float tolerated) {
+    return is_specular && !is_rare(deviation) ? min(deviation, tolerated) : deviation;
+}
+
+// Squared: things in a mirror may be as bright as each other. Of what is dark a hue says little.
+float difference_of_hue(vec3 tap, float tap_luminance, Centre centre) {
+    vec3 difference = tap - tap_luminance * centre.hue;
+    return min(dot(difference, difference), MOST_OF_HUE * centre.luminance * centre.luminance);
 }
 
 // `geometry`: a weight with OURS, else in powers of 2.
 void add_tap(inout Sum sum, vec4 value, Centre centre, float geometry, float kernel) {
-    float difference = abs(luminance(value.rgb) - centre.luminance), weight;
+    float l = luminance(value.rgb), difference = abs(l - centre.luminance), weight;
     if (OURS) {
         // In the background the deviation is negative.
-        float x = difference * luminance_sharpness(mix(centre.deviation, max(value.a, 0.0), TAP_SHARE));
-        float share = exp2(-0.5 / LOG2_E * x * x), whole = kernel * geometry;
+        float tap = counted_deviation(max(value.a, 0.0), centre.is_specular, centre.tolerated);
+        float sharpness = luminance_sharpness(mix(centre.deviation, tap, TAP_SHARE));
+        float x = difference * sharpness, squared = x * x;
+        if (centre.is_specular) squared = max(squared, difference_of_hue(value.rgb, l, centre) * sharpness * sharpness);
+        float share = exp2(-0.5 / LOG2_E * squared), whole = kernel * geometry;
         weight = whole * share;
         sum.kept += KEPT_SHARE * (whole - weight);
     } else {
@@ -163,11 +193,12 @@ Sum start(vec4 value) {
     return Sum(CENTRE_KERNEL * value.rgb, CENTRE_KERNEL * CENTRE_KERNEL * value.a * value.a, CENTRE_KERNEL, 0.0);
 }
 
-vec4 result(Sum sum, vec4 centre) {
+vec4 result(Sum sum, vec4 centre, bool is_specular) {
     sum.irradiance += sum.kept * centre.rgb;
     // Of the same sample as the centre's own weight: weights add up before they are squared.
     sum.variance += sum.kept * (sum.kept + 2.0 * CENTRE_KERNEL) * centre.a * centre.a;
     vec4 mean = vec4(sum.irradiance, sqrt(sum.variance)) / (sum.weight + sum.kept);
+    if (is_specular) mean.a = marked(mean.a, is_rare(centre.a));
     return storable(LAST ? mean * frame.inverse_filter_exposure : mean);
 }
 
@@ -193,12 +224,12 @@ vec2 variances_beside(ivec2 p) {
 }
 
 // g3x3 over the nine taps around the centre, by how far they show its surface: wider levels have estimates of their own.
-float variance_of_taps(vec4 values[TAPS], float weights[TAPS]) {
+float variance_of_taps(vec4 values[TAPS], float weights[TAPS], bool is_specular, float tolerated) {
     float sum = 0.0, weight_sum = 0.0;
     [[unroll]] for (int y = -1; y <= 1; ++y)
         [[unroll]] for (int x = -1; x <= 1; ++x) {
             int i = index_of(ivec2(x, y));
-            float weight = weights[i] / float(1 << (abs(x) + abs(y))), deviation = values[i].a;
+            float weight = weights[i] / float(1 << (abs(x) + abs(y))), deviation = counted_deviation(values[i].a, is_specular, tolerated);
             sum += weight * deviation * deviation;
             weight_sum += weight;
         }
@@ -211,6 +242,7 @@ struct Lobe {
     float nearness;            // hit distance over the way from the eye
     float spatial_sharpness;   // per squared pixel
     float distance_sharpness;  // per squared difference of nearness
+    bool is_known;             // the hit distance
 };
 
 // Narrows the tolerance of normals as well.
@@ -221,8 +253,10 @@ Lobe lobe_of(ivec2 p, GuideBits packed, inout EdgeCentre surface) {
     float sigma_n = share / (width * width + 1e-3);
     surface.normal_sharpness += LOG2_E * sigma_n * (0.5 / (NORMAL_STEPS * NORMAL_STEPS));
     float distance_sharpness = r.hit_distance > 0.0 ? LOG2_E * 4.0 * share / (width * width + 0.02) : 0.0;
-    return Lobe(nearness_of(guide_depth(packed), r.hit_distance), LOG2_E * 0.5 * share / (radius * radius), distance_sharpness);
+    return Lobe(nearness_of(guide_depth(packed), r.hit_distance), LOG2_E * 0.5 * share / (radius * radius), distance_sharpness, r.hit_distance > 0.0);
 }
+
+float tolerated_by(Lobe lobe, vec4 centre) { return lobe.is_known ? ANY_DEVIATION : UNKNOWN_SHARE * centre.a; }
 
 float log2_lobe_weight(Lobe lobe, ivec2 offset, ivec2 tap, GuideBits packed_tap) {
     float distance = unpack_reflection(packed_at(reflection, tap).x).hit_distance;
@@ -307,10 +341,18 @@ void main() {
             }
         }
     vec2 beside = OURS ? vec2(0.0) : variances_beside(p);
-    Centre centre_0 = centre_of(value_0, OURS ? variance_of_taps(values_0, weights_0) : beside.x);
+    vec2 tolerated = vec2(ANY_DEVIATION);
+#if defined(SPECULAR) && SIGNALS == 2
+    tolerated.y = tolerated_by(lobe, value_1);
+#elif defined(SPECULAR)
+    tolerated.x = tolerated_by(lobe, value_0);
+#endif
+    float variance_0 = OURS ? variance_of_taps(values_0, weights_0, SPECULAR_0, tolerated.x) : beside.x;
+    Centre centre_0 = centre_of(value_0, variance_0, SPECULAR_0, tolerated.x);
     Sum sum_0 = start(value_0);
 #if SIGNALS == 2
-    Centre centre_1 = centre_of(value_1, OURS ? variance_of_taps(values_1, weights_1) : beside.y);
+    float variance_1 = OURS ? variance_of_taps(values_1, weights_1, SPECULAR_1, tolerated.y) : beside.y;
+    Centre centre_1 = centre_of(value_1, variance_1, SPECULAR_1, tolerated.y);
     Sum sum_1 = start(value_1);
 #endif
     [[unroll]] for (int y = 0; y <= RADIUS; ++y)
@@ -326,8 +368,8 @@ void main() {
 #endif
             }
         }
-    imageStore(output_0, host_pixel(OUTPUT_0, p), result(sum_0, value_0));
+    imageStore(output_0, host_pixel(OUTPUT_0, p), result(sum_0, value_0, SPECULAR_0));
 #if SIGNALS == 2
-    imageStore(output_1, host_pixel(OUTPUT_1, p), result(sum_1, value_1));
+    imageStore(output_1, host_pixel(OUTPUT_1, p), result(sum_1, value_1, SPECULAR_1));
 #endif
 }

@@ -2,7 +2,7 @@
 // Standard deviation of luminance: from the pixel's own past, or from 7x7 pixels around it while its past is short.
 // Source: [SVGF] 4.2. Deviation: the spatial estimate is scaled by spatial_variance_frames / N.
 // In:  guide, new_luminance; irradiance, accumulated, with the history length in alpha. Out: estimate, the same with the
-//      deviation in alpha; luminance_history, for the next frame; a counter in statistics.
+//      deviation in alpha, which says with 3, of one signal, whether light is rare; luminance_history, for the next frame; a counter in statistics.
 // Constants: ESTIMATOR: 0: as above; 1: [PSVGF], 5x5 pixels always take part, with a share that shrinks as the past grows; 2: the pixel's own
 // past alone; 3: of the accumulated mean, from 5x5 pixels without the structure that they show (ours); with FILLED neighbours
 // repeat each other, so that what is smooth may be noise as well. VOLUME: weights by the depth of the surface behind alone; the background takes part.
@@ -31,6 +31,7 @@ layout(push_constant) uniform Push {
 #include "luminance_history.glsl"
 #include "luminance.glsl"
 #include "packed_image.glsl"
+#include "rare_light.glsl"
 #include "statistics.glsl"
 
 PACKED_IMAGE(2, guide);
@@ -143,6 +144,7 @@ struct Surroundings {
     float noise;   // variance of the means, without what is smooth, and less likewise
     float seen;    // of that noise, without edges and textures
     float doubt;   // how much wider that variance is, as a share of it, since few pixels tell it
+    bool rare;     // few pixels have its light
 };
 
 // How far neighbours differ as noise does and not as a picture, 0 to 1: in all, and where the picture is a clear one alone. Told by logarithms, in
@@ -202,13 +204,14 @@ Surroundings surroundings_of(vec2 luminances[PIXELS], float weights[PIXELS]) {
         }
     }
     spreads /= sum;
+    bool rare = sum * mean * mean <= FEW_LIT * (spreads.x + mean * mean);
     float error = sqrt(max(fourth / max(sum * spreads.x * spreads.x, 1e-36) - 1.0, 0.0) / sum);
-    if (FILLED) return Surroundings(within, FILLED_NOISE * spreads.x, FILLED_NOISE * spreads.x, doubt_of(error, 0.0));
-    if (triples <= LEAST_BENDS) return Surroundings(within, spreads.x, spreads.x, doubt_of(error, 0.0));
+    if (FILLED) return Surroundings(within, FILLED_NOISE * spreads.x, FILLED_NOISE * spreads.x, doubt_of(error, 0.0), rare);
+    if (triples <= LEAST_BENDS) return Surroundings(within, spreads.x, spreads.x, doubt_of(error, 0.0), rare);
     bends /= BEND_OF_NOISE * triples;
     vec2 white = whiteness(spreads.y, bends.y);
     float noise = min(spreads.x, bends.x);
-    return Surroundings(within * white.y, noise * white.y, noise * white.x, doubt_of(error, bends.y));
+    return Surroundings(within * white.y, noise * white.y, noise * white.x, doubt_of(error, bends.y), rare);
 }
 
 // Of the noise that neighbouring means still show: noise that repeats is not averaged away, and few neighbours show too little of it.
@@ -257,7 +260,12 @@ void main() {
         weigh(p, packed, weights);
         vec2 luminances[PIXELS];
         [[unroll]] for (int i = 0; i < PIXELS; ++i) luminances[i] = unpack_new_luminance(packed_at(new_luminance_0, pixel_of(p, i)).x);
-        deviations.x = deviation_of_mean(m, surroundings_of(luminances, weights));
+        Surroundings around = surroundings_of(luminances, weights);
+        deviations.x = deviation_of_mean(m, around);
+#if SIGNALS == 1
+        // Of two signals the mark would halve the waves, and specular light, which needs it, has a pass of its own.
+        deviations.x = marked(deviations.x, around.rare);
+#endif
 #if SIGNALS == 2
         [[unroll]] for (int i = 0; i < PIXELS; ++i) luminances[i] = unpack_new_luminance(packed_at(new_luminance_1, pixel_of(p, i)).x);
         deviations.y = deviation_of_mean(m_1, surroundings_of(luminances, weights));

@@ -7,17 +7,20 @@ use crate::reference::bindings::Bindings;
 use crate::reference::compare::Rule;
 use crate::reference::geometry_weights::Geometry;
 use crate::reference::luminance::texel_luminance;
+use crate::reference::rare_light::{is_rare, marked};
 use crate::reference::rules::FILTERED;
 use crate::reference::{render_rect::RenderRect, Image};
 #[cfg(test)]
 use crate::Tuning;
 use crate::{Error, FrameConstants};
-use glam::IVec2;
+use glam::{IVec2, Vec4};
 use lobes::Lobes;
 
 #[cfg(test)]
 mod edge_tests;
 mod lobes;
+#[cfg(test)]
+mod specular_tests;
 #[cfg(test)]
 mod tests;
 
@@ -27,6 +30,8 @@ pub(crate) const LUMINANCE_EPSILON: f32 = 1e-4;
 const TAP_SHARE: f32 = 0.38;
 /// Of the weight that a difference of luminance takes from a tap, the part that stays on the centre.
 const KEPT_SHARE: f32 = 0.5;
+/// The most that a difference of hue counts, over the luminance of the centre.
+const MOST_OF_HUE: f32 = 2.0;
 
 /// Inputs of [`atrous`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
@@ -100,11 +105,14 @@ fn filter(
             let lobes_of = |i: usize| lobes.filter(|_| i + 1 == pair.len());
             let shown = |i, q| geometry.weight(p, q) * lobes_of(i).map_or(1.0, |lobes| lobes.weight(p, q));
             let mut sums: [Sum; 2] = std::array::from_fn(|i| {
+                let tolerated = lobes_of(i).map(|lobes| lobes.tolerated(p, centre(i)[3]));
                 let variance = pair.get(i).map_or(0.0, |image| match level.luminance_weight {
                     LuminanceWeight::Published => variance_beside(rect, image, p),
-                    LuminanceWeight::OfMeans => variance_of_taps(rect, image, p, step, |q| shown(i, q)),
+                    LuminanceWeight::OfMeans => {
+                        variance_of_taps(rect, p, step, |q| counted_deviation(image.at(q)[3], tolerated), |q| shown(i, q))
+                    }
                 });
-                Sum::new(centre(i), variance.sqrt(), level.luminance_weight, geometry.sigma_l(p))
+                Sum::new(centre(i), variance.sqrt(), tolerated, level.luminance_weight, geometry.sigma_l(p))
             });
             for (offset, q) in rect.window(p, level.kernel.radius(), step) {
                 let kernel = level.kernel.weight(offset.x, offset.y);
@@ -129,6 +137,8 @@ struct Sum {
     luminance: f32,
     /// Deviation by which taps are compared.
     deviation: f32,
+    /// Of specular light, the largest deviation of a tap that counts where light is not rare.
+    tolerated: Option<f32>,
     luminance_weight: LuminanceWeight,
     sigma_l: f32,
     weight: f32,
@@ -140,8 +150,8 @@ struct Sum {
 }
 
 impl Sum {
-    fn new(centre: [f32; 4], deviation: f32, luminance_weight: LuminanceWeight, sigma_l: f32) -> Self {
-        Self { centre, luminance: texel_luminance(centre), deviation, luminance_weight, sigma_l, ..Self::default() }
+    fn new(centre: [f32; 4], deviation: f32, tolerated: Option<f32>, luminance_weight: LuminanceWeight, sigma_l: f32) -> Self {
+        Self { centre, luminance: texel_luminance(centre), deviation, tolerated, luminance_weight, sigma_l, ..Self::default() }
     }
 
     fn add(&mut self, geometry_weight: f32, is_centre: bool, texel: [f32; 4]) {
@@ -162,10 +172,19 @@ impl Sum {
         match self.luminance_weight {
             LuminanceWeight::Published => (-difference / tolerance(self.deviation)).exp(),
             LuminanceWeight::OfMeans => {
-                let x = difference / tolerance(self.deviation + TAP_SHARE * (texel[3] - self.deviation));
+                let difference = if self.tolerated.is_some() { difference.max(self.difference_of_hue(texel)) } else { difference };
+                let tap = counted_deviation(texel[3], self.tolerated);
+                let x = difference / tolerance(self.deviation + TAP_SHARE * (tap - self.deviation));
                 (-0.5 * x * x).exp()
             }
         }
+    }
+
+    /// Things in a mirror may be as bright as each other. Of what is dark a hue says little.
+    fn difference_of_hue(&self, texel: [f32; 4]) -> f32 {
+        let hue = Vec4::from(self.centre).truncate() / self.luminance.max(1e-12);
+        let of_hue = Vec4::from(texel).truncate() - texel_luminance(texel) * hue;
+        of_hue.length().min(MOST_OF_HUE * self.luminance)
     }
 
     fn add_weighted(&mut self, weight: f32, texel: [f32; 4]) {
@@ -183,28 +202,45 @@ impl Sum {
         // Weights of the same sample add up before they are squared.
         self.variance += 2.0 * own * self.kept * self.centre[3] * self.centre[3];
         let [r, g, b] = self.irradiance.map(|c| store(c / self.weight));
-        [r, g, b, store(self.variance.sqrt() / self.weight)]
+        let deviation = self.variance.sqrt() / self.weight;
+        let is_marked = self.tolerated.is_some() && self.luminance_weight == LuminanceWeight::OfMeans;
+        [r, g, b, store(if is_marked { marked(deviation, is_rare(self.centre[3])) } else { deviation })]
     }
 }
 
 /// `g3x3(σ²)` without the background, whose deviation is negative: neighbours at distance 1 on every level, since it steadies an estimate of one pixel.
 fn variance_beside(rect: RenderRect, image: &Image<[f32; 4]>, p: IVec2) -> f32 {
-    let (sum, variance) = blurred_variance(rect, image, p, 1, |q| if image.at(q)[3] >= 0.0 { 1.0 } else { 0.0 });
+    let deviation = |q| image.at(q)[3];
+    let (sum, variance) = blurred_variance(rect, p, 1, deviation, |q| if deviation(q) >= 0.0 { 1.0 } else { 0.0 });
     variance / f32::max(sum, 0.25)
 }
 
 /// The same over the taps around, by how far they show the surface of the centre.
-fn variance_of_taps(rect: RenderRect, image: &Image<[f32; 4]>, p: IVec2, step: i32, shown: impl Fn(IVec2) -> f32) -> f32 {
-    let (sum, variance) = blurred_variance(rect, image, p, step, shown);
+fn variance_of_taps(rect: RenderRect, p: IVec2, step: i32, deviation: impl Fn(IVec2) -> f32, shown: impl Fn(IVec2) -> f32) -> f32 {
+    let (sum, variance) = blurred_variance(rect, p, step, deviation, shown);
     variance / sum
 }
 
 /// Sums of weights and of weighted variances with the kernel g3x3.
-fn blurred_variance(rect: RenderRect, image: &Image<[f32; 4]>, p: IVec2, step: i32, weight: impl Fn(IVec2) -> f32) -> (f32, f32) {
+fn blurred_variance(
+    rect: RenderRect,
+    p: IVec2,
+    step: i32,
+    deviation: impl Fn(IVec2) -> f32,
+    weight: impl Fn(IVec2) -> f32,
+) -> (f32, f32) {
     rect.window(p, 1, step).fold((0.0, 0.0), |(sum, variance), (offset, q)| {
-        let weight = weight(q) * 0.25 / (1 << offset.abs().element_sum()) as f32;
-        (sum + weight, variance + weight * image.at(q)[3] * image.at(q)[3])
+        let (deviation, weight) = (deviation(q), weight(q) * 0.25 / (1 << offset.abs().element_sum()) as f32);
+        (sum + weight, variance + weight * deviation * deviation)
     })
+}
+
+/// Of a tap: no more than is tolerated of specular light that is not rare.
+fn counted_deviation(deviation: f32, tolerated: Option<f32>) -> f32 {
+    match tolerated {
+        Some(most) if !is_rare(deviation) => deviation.min(most),
+        _ => deviation,
+    }
 }
 
 /// How what it writes is compared with the GPU.

@@ -6,6 +6,7 @@ use crate::reference::bindings::Bindings;
 use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
 use crate::reference::geometry_weights::Geometry;
 use crate::reference::luminance_history::{join_luminance_history, pack_luminance_history, LuminanceHistory};
+use crate::reference::rare_light::marked;
 use crate::reference::rules::{pixels, rule, EXACT, HALF, TESTED_COUNTS};
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Counter, Error, FrameConstants, Statistics, Tuning};
@@ -81,11 +82,13 @@ struct Estimated {
     deviation: f32,
     /// Its noise comes again from frame to frame.
     is_repeated: bool,
+    /// Whether light is rare, of the mean.
+    rare: Option<bool>,
 }
 
 impl From<f32> for Estimated {
     fn from(deviation: f32) -> Self {
-        Self { deviation, is_repeated: false }
+        Self { deviation, is_repeated: false, rare: None }
     }
 }
 
@@ -99,16 +102,18 @@ fn estimate(
     luminance_history: &[&Image<LuminanceHistory>],
     estimated: Estimate,
 ) -> (Vec<Image<[f32; 4]>>, Statistics) {
-    let repeated = AtomicU32::new(0);
+    let (repeated, signals) = (AtomicU32::new(0), irradiance.len());
     let signal = |(irradiance, luminance_history): (&&Image<[f32; 4]>, &&Image<LuminanceHistory>)| {
         Image::compute(geometry.extent(), frame.render_extent, |p| {
             let [r, g, b, _] = irradiance.at(p).map(store_signed);
             if geometry.is_background(p) {
                 return [r, g, b, BACKGROUND_DEVIATION];
             }
-            let Estimated { deviation, is_repeated } = estimated(frame, tuning, geometry, luminance_history, p);
+            let Estimated { deviation, is_repeated, rare } = estimated(frame, tuning, geometry, luminance_history, p);
             repeated.fetch_add(is_repeated.into(), Ordering::Relaxed);
-            [r, g, b, store(deviation)]
+            // Two signals are not marked.
+            let told = rare.filter(|_| signals == 1).map_or(deviation, |rare| marked(deviation, rare));
+            [r, g, b, store(told)]
         })
     };
     let images = irradiance.iter().zip(luminance_history).map(signal).collect();

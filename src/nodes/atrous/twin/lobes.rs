@@ -6,6 +6,9 @@ use crate::reference::Image;
 use crate::{FrameConstants, Tuning};
 use glam::{IVec2, Vec3};
 
+/// Where no hit distance is known, the most that a deviation around counts, over the own one, unless light is rare there.
+const UNKNOWN_SHARE: f32 = 1.5;
+
 /// Sharpness of the weights of a pixel, and what they compare.
 #[derive(Clone, Copy, Default)]
 struct Lobe {
@@ -17,6 +20,8 @@ struct Lobe {
     normals: f32,
     /// Per squared difference of nearness.
     distances: f32,
+    /// Whether the hit distance is.
+    is_known: bool,
 }
 
 /// The lobes of all pixels.
@@ -27,6 +32,15 @@ impl Lobes {
         Self(Image::compute(guide.extent(), frame.render_extent, |p| {
             lobe(frame, tuning, &unpack_guide(guide.at(p)), reflection.at(p))
         }))
+    }
+
+    /// The largest deviation that counts around the pixel `p`, whose own is given, where light is not rare.
+    pub(crate) fn tolerated(&self, p: IVec2, deviation: f32) -> f32 {
+        if self.0.at(p).is_known {
+            f32::INFINITY
+        } else {
+            UNKNOWN_SHARE * deviation
+        }
     }
 
     /// The weight of the pixel `q` for the pixel `p`; 1 for itself.
@@ -52,5 +66,6 @@ fn lobe(frame: &FrameConstants, tuning: &Tuning, surface: &Surface, texel: u32) 
         spatial: 0.5 * share / (radius * radius),
         normals: share / (width * width + 1e-3),
         distances: if seen.hit_distance > 0.0 { 4.0 * share / (width * width + 0.02) } else { 0.0 },
+        is_known: seen.hit_distance > 0.0,
     }
 }

@@ -2,6 +2,7 @@
 
 use super::{Estimated, LuminanceHistory, FADING_RADIUS};
 use crate::reference::geometry_weights::Geometry;
+use crate::reference::rare_light::few_have_it;
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{FrameConstants, Tuning};
 use glam::IVec2;
@@ -48,6 +49,8 @@ struct Surroundings {
     error: f32,
     /// Variance of the logarithms of means that bends.
     log_noise: f32,
+    /// Few pixels have its light.
+    rare: bool,
 }
 
 impl Surroundings {
@@ -138,7 +141,7 @@ fn deviation(tuning: &Tuning, centre: LuminanceHistory, around: Surroundings) ->
     let averaging = (1.0 / frames).max(tuning.sample_frames * tuning.alpha / (2.0 - tuning.alpha)).min(1.0);
     let (known, seen) = (of_sample * averaging, SEEN_NOISE * around.seen);
     let is_repeated = centre.history_length >= SETTLED_FRAMES && seen > REPEATED_NOISE * known;
-    Estimated { deviation: known.max(seen).sqrt(), is_repeated }
+    Estimated { deviation: known.max(seen).sqrt(), is_repeated, rare: Some(around.rare) }
 }
 
 /// With the structure that they show.
@@ -158,7 +161,8 @@ fn surroundings(
     let spread = mean_of(&|m| (m.mean - mean).powi(2));
     let kurtosis = mean_of(&|m| (m.mean - mean).powi(4)) / (spread * spread).max(1e-36);
     let error = ((kurtosis - 1.0).max(0.0) / sum).sqrt();
-    Surroundings { within, noise: spread, seen: spread, error, log_noise: 0.0 }
+    let rare = few_have_it(window.iter().map(|(weight, m)| (*weight, m.mean)));
+    Surroundings { within, noise: spread, seen: spread, error, log_noise: 0.0, rare }
 }
 
 /// Variance that bends, by the squared second differences of neighbours along x and y, all of the surface of the centre; none where there
