@@ -2,10 +2,10 @@
 // Standard deviation of luminance: from the pixel's own past, or from 7x7 pixels around it while its past is short.
 // Source: [SVGF] 4.2. Deviation: the spatial estimate is scaled by spatial_variance_frames / N.
 // In:  guide, new_luminance; irradiance, accumulated, with the history length in alpha. Out: estimate, the same with the
-//      deviation in alpha, which says with 3, of one signal, whether light is rare; luminance_history, for the next frame; a counter in statistics.
+//      deviation in alpha; luminance_history, for the next frame; a counter in statistics.
 // Constants: ESTIMATOR: 0: as above; 1: [PSVGF], 5x5 pixels always take part, with a share that shrinks as the past grows; 2: the pixel's own
 // past alone; 3: of the accumulated mean, from 5x5 pixels without the structure that they show (ours); with FILLED neighbours
-// repeat each other, so that what is smooth may be noise as well. VOLUME: weights by the depth of the surface behind alone; the background takes part.
+// repeat each other, so that what is smooth may be noise as well. MARKED: the deviation says whether light is rare. VOLUME: weights by the depth of the surface behind alone; the background takes part.
 // variants: SIGNALS=1 SIGNALS=2
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -16,6 +16,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 1) const uint ESTIMATOR = 0u;
 layout(constant_id = 2) const bool VOLUME = false;
 layout(constant_id = 3) const bool FILLED = false;
+layout(constant_id = 4) const bool MARKED = false;
 
 layout(push_constant) uniform Push {
     float sigma_n;
@@ -262,10 +263,7 @@ void main() {
         [[unroll]] for (int i = 0; i < PIXELS; ++i) luminances[i] = unpack_new_luminance(packed_at(new_luminance_0, pixel_of(p, i)).x);
         Surroundings around = surroundings_of(luminances, weights);
         deviations.x = deviation_of_mean(m, around);
-#if SIGNALS == 1
-        // Of two signals the mark would halve the waves, and specular light, which needs it, has a pass of its own.
-        deviations.x = marked(deviations.x, around.rare);
-#endif
+        if (MARKED) deviations.x = marked(deviations.x, around.rare);
 #if SIGNALS == 2
         [[unroll]] for (int i = 0; i < PIXELS; ++i) luminances[i] = unpack_new_luminance(packed_at(new_luminance_1, pixel_of(p, i)).x);
         deviations.y = deviation_of_mean(m_1, surroundings_of(luminances, weights));

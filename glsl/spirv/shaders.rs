@@ -50,6 +50,7 @@ pub(crate) static ATROUS_SIGNALS_1: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("OURS"), id: 3, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("LAST"), id: 4, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("MARKED"), id: 5, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -75,6 +76,7 @@ pub(crate) static ATROUS_SIGNALS_2: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("OURS"), id: 3, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("LAST"), id: 4, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("MARKED"), id: 5, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -100,6 +102,7 @@ pub(crate) static ATROUS_SIGNALS_1_SPECULAR_1: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("OURS"), id: 3, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("LAST"), id: 4, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("MARKED"), id: 5, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
@@ -128,6 +131,7 @@ pub(crate) static ATROUS_SIGNALS_2_SPECULAR_1: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("OURS"), id: 3, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("LAST"), id: 4, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("MARKED"), id: 5, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
@@ -153,6 +157,7 @@ pub(crate) static ATROUS_SIGNALS_1_MATERIAL_1: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("OURS"), id: 3, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("LAST"), id: 4, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("MARKED"), id: 5, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -179,6 +184,7 @@ pub(crate) static ATROUS_SIGNALS_2_MATERIAL_1: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("OURS"), id: 3, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("LAST"), id: 4, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("MARKED"), id: 5, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -205,6 +211,7 @@ pub(crate) static ATROUS_SIGNALS_1_SPECULAR_1_MATERIAL_1: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("OURS"), id: 3, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("LAST"), id: 4, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("MARKED"), id: 5, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
@@ -234,6 +241,7 @@ pub(crate) static ATROUS_SIGNALS_2_SPECULAR_1_MATERIAL_1: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("OURS"), id: 3, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("LAST"), id: 4, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("MARKED"), id: 5, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
@@ -1525,6 +1533,7 @@ pub(crate) static VARIANCE_SIGNALS_1: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("ESTIMATOR"), id: 1, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("FILLED"), id: 3, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("MARKED"), id: 4, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static VARIANCE_SIGNALS_2: Shader = Shader {
@@ -1554,6 +1563,7 @@ pub(crate) static VARIANCE_SIGNALS_2: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("ESTIMATOR"), id: 1, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("FILLED"), id: 3, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("MARKED"), id: 4, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static VISIBILITY_ACCUMULATION_MANY_0_COLOUR_0: Shader = Shader {

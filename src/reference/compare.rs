@@ -5,6 +5,7 @@ use super::blocks::{BLOCK_SIZE, CELL_SIZE};
 use super::guide::unpack_guide;
 use super::luminance_history::unpack_luminance_history;
 use super::octahedral::octahedral10_to_normal;
+use super::rare_light::is_rare;
 use super::reflection::{unpack_image_share, unpack_reflection};
 use super::surface_motion::unpack_surface_motion;
 use super::texels::Texels;
@@ -35,6 +36,8 @@ pub(crate) enum Reading {
     Plain,
     /// Red, green and blue alone.
     Rgb,
+    /// Whether the deviation in alpha says that light is rare.
+    RareLight,
     /// Words of a buffer, 32 bits each.
     Counts,
     /// A texel as two or four halves.
@@ -196,6 +199,7 @@ impl Reading {
                 let [r, g, b, _] = image.at(p);
                 padded([r, g, b])
             }
+            Texels::Colour(image) if self == Self::RareLight => padded([is_rare(image.at(p)[3]).into()]),
             Texels::Colour(image) => padded(image.at(p)),
             Texels::Scalar(image) => padded([image.at(p)]),
             Texels::Packed(image) => self.of_packed(image.at(p)),

@@ -40,6 +40,14 @@ pub(crate) const fn strata(binding: &'static str, tolerance: Tolerance) -> Rule 
     rule(binding, Unit::Stratum, Reading::Plain, tolerance)
 }
 
+/// Where deviations are marked. The marks are the bits that rounding decides elsewhere.
+pub(crate) const fn rare_light(binding: &'static str) -> Rule {
+    Rule {
+        when: Condition::Is("MARKED", 1),
+        ..rule(binding, Unit::Pixel, Reading::RareLight, Tolerance { outliers: 2e-3, ..EXACT })
+    }
+}
+
 pub(crate) const STATISTICS: Rule = rule("statistics", Unit::Buffer, Reading::Plain, EXACT);
 
 pub(crate) const FILTERED: &[Rule] =

@@ -103,10 +103,12 @@ impl Graph {
             (None, Some(_)) => by_signals(estimate, &shaders::ATROUS_SIGNALS_1_MATERIAL_1, &shaders::ATROUS_SIGNALS_2_MATERIAL_1),
         };
         let levels = Levels { node: &node, count: atrous.levels, feedback: atrous.feedback };
+        let of_means = atrous.luminance_weight == LuminanceWeight::OfMeans;
         self.levels(levels, estimate, |name, level| {
             level_pass(&node, name, module, level)
                 .constant("KERNEL", atrous.kernel as u32)
-                .constant("OURS", u32::from(atrous.luminance_weight == LuminanceWeight::OfMeans))
+                .constant("OURS", of_means.into())
+                .constant("MARKED", (of_means && atrous.reflection.is_some()).into())
                 .value("sigma_l", atrous.sigma_l)
                 .value("sigma_n", atrous.sigma_n)
                 .value("sigma_z", atrous.sigma_z)

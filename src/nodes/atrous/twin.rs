@@ -8,7 +8,7 @@ use crate::reference::compare::Rule;
 use crate::reference::geometry_weights::Geometry;
 use crate::reference::luminance::texel_luminance;
 use crate::reference::rare_light::{is_rare, marked};
-use crate::reference::rules::FILTERED;
+use crate::reference::rules::{pixels, rare_light, rounded, WEIGHTED};
 use crate::reference::{render_rect::RenderRect, Image};
 #[cfg(test)]
 use crate::Tuning;
@@ -244,7 +244,8 @@ fn counted_deviation(deviation: f32, tolerated: Option<f32>) -> f32 {
 }
 
 /// How what it writes is compared with the GPU.
-pub(crate) const RULES: &[Rule] = FILTERED;
+pub(crate) const RULES: &[Rule] =
+    &[pixels("output_0", WEIGHTED), pixels("output_1", WEIGHTED), rounded("output_0"), rounded("output_1"), rare_light("output_1")];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {

@@ -48,6 +48,8 @@ impl Graph {
             pass(node, by_signals(signals, &shaders::VARIANCE_SIGNALS_1, &shaders::VARIANCE_SIGNALS_2))
                 .constant("ESTIMATOR", variance.estimator as u32)
                 .constant("FILLED", u32::from(accumulated.has_filled_holes()))
+                // Of two signals it would halve the waves of a GPU, and specular light, which needs it, has a pass of its own.
+                .constant("MARKED", u32::from(variance.estimator == Estimator::OfMean && signals.signals() == 1))
                 .value("spatial_variance_frames", variance.spatial_variance_frames)
                 .value("volume_sigma_z", UNREAD)
                 .bind("guide", guides.guide)

@@ -7,7 +7,7 @@ use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
 use crate::reference::geometry_weights::Geometry;
 use crate::reference::luminance_history::{join_luminance_history, pack_luminance_history, LuminanceHistory};
 use crate::reference::rare_light::marked;
-use crate::reference::rules::{pixels, rule, EXACT, HALF, TESTED_COUNTS};
+use crate::reference::rules::{pixels, rare_light, rule, EXACT, HALF, TESTED_COUNTS};
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Counter, Error, FrameConstants, Statistics, Tuning};
 use glam::IVec2;
@@ -46,7 +46,7 @@ pub(crate) struct VarianceInputs<'a> {
 #[cfg(test)]
 pub(crate) fn variance(frame: &FrameConstants, tuning: &Tuning, inputs: &VarianceInputs) -> Vec<Image<[f32; 4]>> {
     let geometry = Geometry::new(frame, tuning, inputs.guide);
-    estimate(frame, tuning, &geometry, inputs.irradiance, inputs.luminance_history, deviation).0
+    estimate(frame, tuning, &geometry, inputs.irradiance, inputs.luminance_history, deviation, false).0
 }
 
 fn deviation(
@@ -101,8 +101,9 @@ fn estimate(
     irradiance: &[&Image<[f32; 4]>],
     luminance_history: &[&Image<LuminanceHistory>],
     estimated: Estimate,
+    is_marked: bool,
 ) -> (Vec<Image<[f32; 4]>>, Statistics) {
-    let (repeated, signals) = (AtomicU32::new(0), irradiance.len());
+    let repeated = AtomicU32::new(0);
     let signal = |(irradiance, luminance_history): (&&Image<[f32; 4]>, &&Image<LuminanceHistory>)| {
         Image::compute(geometry.extent(), frame.render_extent, |p| {
             let [r, g, b, _] = irradiance.at(p).map(store_signed);
@@ -111,8 +112,7 @@ fn estimate(
             }
             let Estimated { deviation, is_repeated, rare } = estimated(frame, tuning, geometry, luminance_history, p);
             repeated.fetch_add(is_repeated.into(), Ordering::Relaxed);
-            // Two signals are not marked.
-            let told = rare.filter(|_| signals == 1).map_or(deviation, |rare| marked(deviation, rare));
+            let told = rare.filter(|_| is_marked).map_or(deviation, |rare| marked(deviation, rare));
             [r, g, b, store(told)]
         })
     };
@@ -153,6 +153,7 @@ pub(crate) const RULES: &[Rule] = &[
     rule("statistics", Unit::Buffer, Reading::Counts, TESTED_COUNTS),
     pixels("estimate_0", ESTIMATED),
     pixels("estimate_1", ESTIMATED),
+    rare_light("estimate_0"),
     rule("luminance_history_0", Unit::Pixel, Reading::LuminanceHistory, EXACT),
     rule("luminance_history_1", Unit::Pixel, Reading::LuminanceHistory, EXACT),
 ];
@@ -174,8 +175,15 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let (irradiance, new_luminance) = (b.colours("irradiance")?, b.uints("new_luminance")?);
     let luminance_history: Vec<_> =
         irradiance.iter().zip(new_luminance).map(|(irradiance, new)| join_luminance_history(irradiance, new)).collect();
-    let (images, statistics) =
-        estimate(b.frame, b.tuning, &geometry, &irradiance, &luminance_history.iter().collect::<Vec<_>>(), estimated);
+    let (images, statistics) = estimate(
+        b.frame,
+        b.tuning,
+        &geometry,
+        &irradiance,
+        &luminance_history.iter().collect::<Vec<_>>(),
+        estimated,
+        b.is_on("MARKED")?,
+    );
     b.count(&statistics)?;
     b.write_signals("estimate", images)?;
     let packed = luminance_history
