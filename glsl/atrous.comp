@@ -5,8 +5,8 @@
 // Constants: KERNEL: 0: the 5x5 B3 spline; 1: the 3x3 box of [ASVGF].
 // OURS: the luminance weight is a Gauss curve over deviations of means, which taps share; some of what it refuses stays on the centre, so that
 // rare light keeps its mean. Else [SVGF] eq. 5. VOLUME: steered by the depth of the surface behind alone, and less strictly [PSVGF]; the
-// background takes part. LAST: of a volume, what goes out: in the exposure of the host. MARKED: OURS of specular light, whose deviation says
-// whether light is rare.
+// background takes part. LAST: of a volume, what goes out: in the exposure of the host. MARKED: OURS of specular light alone, whose
+// deviation says whether light is rare.
 // With SPECULAR the last signal no wider than the lobe of the surface blurs what is seen in it: by its radius on the screen, by normals within it,
 // and by hit distance [ours]; a mirror is not filtered at all. Things in it are told apart by their hue as well, and where no hit distance is
 // known more strictly.

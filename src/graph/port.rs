@@ -322,6 +322,8 @@ impl History {
 pub struct Reflection {
     /// Hit distance in scene units (0: unknown; 65504: beyond the scene), and perceptual roughness.
     pub image: Image,
+    /// Whether the signal has diffuse light as well.
+    pub(crate) mixed: bool,
 }
 
 /// Temporal gradients, one texel per stratum, with the guide that steers their reconstruction.

@@ -108,7 +108,7 @@ impl Graph {
             level_pass(&node, name, module, level)
                 .constant("KERNEL", atrous.kernel as u32)
                 .constant("OURS", of_means.into())
-                .constant("MARKED", (of_means && atrous.reflection.is_some()).into())
+                .constant("MARKED", (of_means && atrous.reflection.is_some_and(|reflection| !reflection.mixed)).into())
                 .value("sigma_l", atrous.sigma_l)
                 .value("sigma_n", atrous.sigma_n)
                 .value("sigma_z", atrous.sigma_z)

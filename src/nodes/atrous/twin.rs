@@ -54,13 +54,15 @@ pub(crate) struct AtrousLevel {
     pub kernel: Kernel,
     /// Weight by luminance.
     pub luminance_weight: LuminanceWeight,
+    /// Whether the last signal is specular light alone, whose deviation says whether light is rare.
+    pub is_marked: bool,
 }
 
 impl AtrousLevel {
     /// A level of \[SVGF\].
     #[cfg(test)]
     pub(crate) fn new(number: u32) -> Self {
-        Self { number, kernel: Kernel::Spline, luminance_weight: LuminanceWeight::Published }
+        Self { number, kernel: Kernel::Spline, luminance_weight: LuminanceWeight::Published, is_marked: false }
     }
 }
 
@@ -105,7 +107,7 @@ fn filter(
             let lobes_of = |i: usize| lobes.filter(|_| i + 1 == pair.len());
             let shown = |i, q| geometry.weight(p, q) * lobes_of(i).map_or(1.0, |lobes| lobes.weight(p, q));
             let mut sums: [Sum; 2] = std::array::from_fn(|i| {
-                let tolerated = lobes_of(i).map(|lobes| lobes.tolerated(p, centre(i)[3]));
+                let tolerated = lobes_of(i).filter(|_| level.is_marked).map(|lobes| lobes.tolerated(p, centre(i)[3]));
                 let variance = pair.get(i).map_or(0.0, |image| match level.luminance_weight {
                     LuminanceWeight::Published => variance_beside(rect, image, p),
                     LuminanceWeight::OfMeans => {
@@ -203,8 +205,7 @@ impl Sum {
         self.variance += 2.0 * own * self.kept * self.centre[3] * self.centre[3];
         let [r, g, b] = self.irradiance.map(|c| store(c / self.weight));
         let deviation = self.variance.sqrt() / self.weight;
-        let is_marked = self.tolerated.is_some() && self.luminance_weight == LuminanceWeight::OfMeans;
-        [r, g, b, store(if is_marked { marked(deviation, is_rare(self.centre[3])) } else { deviation })]
+        [r, g, b, store(if self.tolerated.is_some() { marked(deviation, is_rare(self.centre[3])) } else { deviation })]
     }
 }
 
@@ -260,7 +261,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     };
     let kernel = Kernel::try_from(b.constant("KERNEL")?)?;
     let luminance_weight = if b.is_on("OURS")? { LuminanceWeight::OfMeans } else { LuminanceWeight::Published };
-    let level = AtrousLevel { number: b.level, kernel, luminance_weight };
+    let level = AtrousLevel { number: b.level, kernel, luminance_weight, is_marked: b.is_on("MARKED")? };
     let reflection = b.has("reflection").then(|| b.uint("reflection")).transpose()?;
     let lobes = reflection.map(|reflection| Lobes::new(b.frame, b.tuning, guide, reflection));
     let mut filtered = filter(b.frame, &geometry, lobes.as_ref(), level, &b.colours("input")?);

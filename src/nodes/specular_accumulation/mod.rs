@@ -105,7 +105,7 @@ impl Graph {
         self.add(pass);
         AccumulatedSpecular {
             accumulated: self.renewed(accumulated).with_holes_of(irradiance),
-            reflection: Reflection { image: self.refreshed(reflection) },
+            reflection: Reflection { image: self.refreshed(reflection), mixed: parameters.mixed },
         }
     }
 }

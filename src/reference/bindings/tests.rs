@@ -105,7 +105,7 @@ fn a_constant_chooses_the_kernel_and_the_geometry() {
         ([0, 1, 0], volume_atrous(&frame, &tuning, level, &scene.guide, &image)),
     ];
     for ([kernel, volume, ours], expected) in expected {
-        let constants = [("KERNEL", kernel), ("VOLUME", volume), ("OURS", ours), ("LAST", 0)];
+        let constants = [("KERNEL", kernel), ("VOLUME", volume), ("OURS", ours), ("LAST", 0), ("MARKED", 0)];
         assert_eq!(run(&constants), Texels::Colour(expected), "{constants:?}");
     }
 }

@@ -14,7 +14,7 @@ fn seen(hit_distance: f32, mut light: Image<[f32; 4]>) -> Vec<[f32; 4]> {
     let reflection = Image::new(EXTENT, pack_reflection(&SeenReflection { hit_distance, roughness: 1.0 }, None));
     for number in 0..5 {
         let inputs = AtrousInputs { guide: &scene.guide, reflection: Some(&reflection), irradiance: &[&light] };
-        let level = AtrousLevel { number, kernel: Kernel::Box, luminance_weight: LuminanceWeight::OfMeans };
+        let level = AtrousLevel { number, kernel: Kernel::Box, luminance_weight: LuminanceWeight::OfMeans, is_marked: true };
         light = atrous(&frame, &Tuning::default(), level, &inputs).remove(0);
     }
     (0..EXTENT[0] as i32).map(|x| light.at(IVec2::new(x, 8))).collect()
