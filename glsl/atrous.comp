@@ -231,7 +231,8 @@ float variance_of_taps(vec4 values[TAPS], float weights[TAPS], bool is_specular,
     [[unroll]] for (int y = -1; y <= 1; ++y)
         [[unroll]] for (int x = -1; x <= 1; ++x) {
             int i = index_of(ivec2(x, y));
-            float weight = weights[i] / float(1 << (abs(x) + abs(y))), deviation = counted_deviation(values[i].a, is_specular, tolerated);
+            float weight = weights[i] / float(1 << (abs(x) + abs(y)));
+            float deviation = counted_deviation(values[i].a, is_specular, tolerated);
             sum += weight * deviation * deviation;
             weight_sum += weight;
         }
@@ -241,10 +242,9 @@ float variance_of_taps(vec4 values[TAPS], float weights[TAPS], bool is_specular,
 #ifdef SPECULAR
 // What is seen in the centre of a window, and how much less a tap weighs, in powers of 2.
 struct Lobe {
-    float nearness;            // hit distance over the way from the eye
+    float nearness;            // hit distance over the way from the eye; 0: unknown
     float spatial_sharpness;   // per squared pixel
     float distance_sharpness;  // per squared difference of nearness
-    bool is_known;             // the hit distance
 };
 
 // Narrows the tolerance of normals as well.
@@ -255,10 +255,10 @@ Lobe lobe_of(ivec2 p, GuideBits packed, inout EdgeCentre surface) {
     float sigma_n = share / (width * width + 1e-3);
     surface.normal_sharpness += LOG2_E * sigma_n * (0.5 / (NORMAL_STEPS * NORMAL_STEPS));
     float distance_sharpness = r.hit_distance > 0.0 ? LOG2_E * 4.0 * share / (width * width + 0.02) : 0.0;
-    return Lobe(nearness_of(guide_depth(packed), r.hit_distance), LOG2_E * 0.5 * share / (radius * radius), distance_sharpness, r.hit_distance > 0.0);
+    return Lobe(nearness_of(guide_depth(packed), r.hit_distance), LOG2_E * 0.5 * share / (radius * radius), distance_sharpness);
 }
 
-float tolerated_by(Lobe lobe, vec4 centre) { return lobe.is_known ? ANY_DEVIATION : UNKNOWN_SHARE * centre.a; }
+float tolerated_by(Lobe lobe, vec4 centre) { return lobe.nearness > 0.0 ? ANY_DEVIATION : UNKNOWN_SHARE * centre.a; }
 
 float log2_lobe_weight(Lobe lobe, ivec2 offset, ivec2 tap, GuideBits packed_tap) {
     float distance = unpack_reflection(packed_at(reflection, tap).x).hit_distance;
@@ -343,18 +343,19 @@ void main() {
             }
         }
     vec2 beside = OURS ? vec2(0.0) : variances_beside(p);
-    vec2 tolerated = vec2(ANY_DEVIATION);
 #if defined(SPECULAR) && SIGNALS == 2
-    tolerated.y = tolerated_by(lobe, value_1);
+    float tolerated = tolerated_by(lobe, value_1);
 #elif defined(SPECULAR)
-    tolerated.x = tolerated_by(lobe, value_0);
+    float tolerated = tolerated_by(lobe, value_0);
+#else
+    const float tolerated = ANY_DEVIATION;
 #endif
-    float variance_0 = OURS ? variance_of_taps(values_0, weights_0, SPECULAR_0, tolerated.x) : beside.x;
-    Centre centre_0 = centre_of(value_0, variance_0, SPECULAR_0, tolerated.x);
+    float variance_0 = OURS ? variance_of_taps(values_0, weights_0, SPECULAR_0, tolerated) : beside.x;
+    Centre centre_0 = centre_of(value_0, variance_0, SPECULAR_0, tolerated);
     Sum sum_0 = start(value_0);
 #if SIGNALS == 2
-    float variance_1 = OURS ? variance_of_taps(values_1, weights_1, SPECULAR_1, tolerated.y) : beside.y;
-    Centre centre_1 = centre_of(value_1, variance_1, SPECULAR_1, tolerated.y);
+    float variance_1 = OURS ? variance_of_taps(values_1, weights_1, SPECULAR_1, tolerated) : beside.y;
+    Centre centre_1 = centre_of(value_1, variance_1, SPECULAR_1, tolerated);
     Sum sum_1 = start(value_1);
 #endif
     [[unroll]] for (int y = 0; y <= RADIUS; ++y)

@@ -5,7 +5,8 @@
 //      deviation in alpha; luminance_history, for the next frame; a counter in statistics.
 // Constants: ESTIMATOR: 0: as above; 1: [PSVGF], 5x5 pixels always take part, with a share that shrinks as the past grows; 2: the pixel's own
 // past alone; 3: of the accumulated mean, from 5x5 pixels without the structure that they show (ours); with FILLED neighbours
-// repeat each other, so that what is smooth may be noise as well. MARKED: the deviation says whether light is rare. VOLUME: weights by the depth of the surface behind alone; the background takes part.
+// repeat each other, so that what is smooth may be noise as well. MARKED: the deviation says whether light is rare. VOLUME: weights by the depth
+// of the surface behind alone; the background takes part.
 // variants: SIGNALS=1 SIGNALS=2
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -205,6 +206,7 @@ Surroundings surroundings_of(vec2 luminances[PIXELS], float weights[PIXELS]) {
         }
     }
     spreads /= sum;
+    // The sum of squares, by the spread.
     bool rare = sum * mean * mean <= FEW_LIT * (spreads.x + mean * mean);
     float error = sqrt(max(fourth / max(sum * spreads.x * spreads.x, 1e-36) - 1.0, 0.0) / sum);
     if (FILLED) return Surroundings(within, FILLED_NOISE * spreads.x, FILLED_NOISE * spreads.x, doubt_of(error, 0.0), rare);

@@ -5,7 +5,7 @@
 // Pixels of a window that have its light, so many of which are few.
 const float FEW_LIT = 3.0;
 
-// Next to the largest that has a half above it.
+// A mark on more would round to infinity.
 const float LARGEST_MARKED = 65000.0;
 
 bool is_rare(float deviation) { return (floatBitsToUint(deviation) & 0x2000u) != 0u; }

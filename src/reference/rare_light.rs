@@ -3,7 +3,7 @@
 /// Pixels of a window that have its light, so many of which are few.
 const FEW_LIT: f32 = 3.0;
 
-/// Next to the largest that has a half above it.
+/// A mark on more would round to infinity.
 const LARGEST_MARKED: f32 = 65000.0;
 
 /// The last bit that a half keeps.

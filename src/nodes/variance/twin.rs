@@ -82,13 +82,13 @@ struct Estimated {
     deviation: f32,
     /// Its noise comes again from frame to frame.
     is_repeated: bool,
-    /// Whether light is rare, of the mean.
-    rare: Option<bool>,
+    /// Few pixels of its window have its light; of the mean alone.
+    rare: bool,
 }
 
 impl From<f32> for Estimated {
     fn from(deviation: f32) -> Self {
-        Self { deviation, is_repeated: false, rare: None }
+        Self { deviation, is_repeated: false, rare: false }
     }
 }
 
@@ -112,8 +112,7 @@ fn estimate(
             }
             let Estimated { deviation, is_repeated, rare } = estimated(frame, tuning, geometry, luminance_history, p);
             repeated.fetch_add(is_repeated.into(), Ordering::Relaxed);
-            let told = rare.filter(|_| is_marked).map_or(deviation, |rare| marked(deviation, rare));
-            [r, g, b, store(told)]
+            [r, g, b, store(if is_marked { marked(deviation, rare) } else { deviation })]
         })
     };
     let images = irradiance.iter().zip(luminance_history).map(signal).collect();

@@ -13,6 +13,7 @@ const UNKNOWN_SHARE: f32 = 1.5;
 #[derive(Clone, Copy, Default)]
 struct Lobe {
     normal: Vec3,
+    /// 0 where no hit distance is known.
     nearness: f32,
     /// Per squared pixel.
     spatial: f32,
@@ -20,8 +21,6 @@ struct Lobe {
     normals: f32,
     /// Per squared difference of nearness.
     distances: f32,
-    /// Whether the hit distance is.
-    is_known: bool,
 }
 
 /// The lobes of all pixels.
@@ -36,7 +35,7 @@ impl Lobes {
 
     /// The largest deviation that counts around the pixel `p`, whose own is given, where light is not rare.
     pub(crate) fn tolerated(&self, p: IVec2, deviation: f32) -> f32 {
-        if self.0.at(p).is_known {
+        if self.0.at(p).nearness > 0.0 {
             f32::INFINITY
         } else {
             UNKNOWN_SHARE * deviation
@@ -66,6 +65,5 @@ fn lobe(frame: &FrameConstants, tuning: &Tuning, surface: &Surface, texel: u32) 
         spatial: 0.5 * share / (radius * radius),
         normals: share / (width * width + 1e-3),
         distances: if seen.hit_distance > 0.0 { 4.0 * share / (width * width + 0.02) } else { 0.0 },
-        is_known: seen.hit_distance > 0.0,
     }
 }

@@ -141,7 +141,7 @@ fn deviation(tuning: &Tuning, centre: LuminanceHistory, around: Surroundings) ->
     let averaging = (1.0 / frames).max(tuning.sample_frames * tuning.alpha / (2.0 - tuning.alpha)).min(1.0);
     let (known, seen) = (of_sample * averaging, SEEN_NOISE * around.seen);
     let is_repeated = centre.history_length >= SETTLED_FRAMES && seen > REPEATED_NOISE * known;
-    Estimated { deviation: known.max(seen).sqrt(), is_repeated, rare: Some(around.rare) }
+    Estimated { deviation: known.max(seen).sqrt(), is_repeated, rare: around.rare }
 }
 
 /// With the structure that they show.

@@ -133,7 +133,7 @@ fn a_window_with_a_single_lit_pixel_says_next_to_nothing() {
 fn rare_light_is_told_from_noise_of_all_pixels() {
     let share = |luminance_history: &Image<LuminanceHistory>| {
         let estimates = with_sample_frames(luminance_history, 1.0);
-        estimates.iter().filter(|estimate| estimate.rare == Some(true)).count() as f32 / estimates.len() as f32
+        estimates.iter().filter(|estimate| estimate.rare).count() as f32 / estimates.len() as f32
     };
     assert_eq!(share(&paint(EXTENT, |x, y| of(if x % 5 == 0 && y % 5 == 0 { 4.0 } else { 0.0 }, 0.0, 1.0))), 1.0);
     assert_eq!(share(&noise(EXTENT, 5).map(|t| of(t[0], 0.0, 1.0))), 0.0);
