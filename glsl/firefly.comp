@@ -62,7 +62,7 @@ shared uint cell_limits[CELLS];
 #endif
 
 // Of a cluster, in shares of what one outlier spreads at most: more would show.
-const float CLUSTER_SPREAD = 0.5;
+const float CLUSTER_SPREAD = 0.4;
 
 // Irradiance that is cut off, and the pixels that share it, of the columns of the blocks in a row.
 shared vec4 columns[ROW_PIXELS];

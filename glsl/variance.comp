@@ -134,6 +134,10 @@ const float FILLED_NOISE = 2.0;
 // the second on it is noise.
 const float STRUCTURE = 0.6;
 const float WHITE_NOISE = 0.8;
+// The same shares: a window between them is a picture with some noise, and of a deviation there, or below them, at least a part counts.
+const float PICTURE = 0.15;
+const float MIXTURE = 0.45;
+const float NARROWEST = 0.2;
 // Of the mean: logarithms of less are next to equal.
 const float DARK = 0.1;
 // Variances of logarithms to base 2: from the first to the second, a picture or noise counts as one. It spans a factor of 1.6, and 2.7.
@@ -142,18 +146,19 @@ const float CLEAR = 2.0;
 
 // Estimates from 5x5 pixels of how the luminance of one of them varies.
 struct Surroundings {
-    float within;  // variance of the samples that a mean was made of; less where a clear picture is
+    float within;  // variance of the samples that a mean was made of; less where a picture is
     float noise;   // variance of the means, without what is smooth, and less likewise
     float seen;    // of that noise, without edges and textures
     float doubt;   // how much wider that variance is, as a share of it, since few pixels tell it
     bool rare;     // few pixels have its light
 };
 
-// How far neighbours differ as noise does and not as a picture, 0 to 1: in all, and where the picture is a clear one alone. Told by logarithms, in
-// which a highlight is as smooth as its foot, and rare light is not. `noise`: the part of their spread that bends.
+// How far neighbours differ as noise does and not as a picture, 0 to 1, and the part of a variance that counts: less in a picture, and none in a clear
+// one. Told by logarithms, in which a highlight is as smooth as its foot, and rare light is not. `noise`: the part of their spread that bends.
 vec2 whiteness(float spread, float noise) {
-    float white = smoothstep(STRUCTURE, WHITE_NOISE, noise / max(spread, 1e-20));
-    return vec2(white, mix(1.0, white, smoothstep(FAINT, CLEAR, spread - noise)));
+    float share = noise / max(spread, 1e-20), white = smoothstep(STRUCTURE, WHITE_NOISE, share);
+    float narrowed = mix(NARROWEST, 1.0, smoothstep(PICTURE, MIXTURE, share));
+    return vec2(white, mix(1.0, white, smoothstep(FAINT, CLEAR, spread - noise)) * narrowed * narrowed);
 }
 
 // How much wider a variance is that is in doubt, and that of rare light: a window that has a single pixel of it says next to nothing.

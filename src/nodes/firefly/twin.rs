@@ -14,7 +14,7 @@ use crate::reference::Image;
 use crate::{Error, FrameConstants, Tuning};
 
 /// Of a cluster, in shares of what one outlier spreads at most: more would show.
-const CLUSTER_SPREAD: f32 = 0.5;
+const CLUSTER_SPREAD: f32 = 0.4;
 
 /// Inputs of [`firefly`].
 #[derive(Clone, Copy, Debug)]

@@ -30,6 +30,11 @@ const LEAST_BENDS: f32 = 0.05;
 const STRUCTURE: f32 = 0.6;
 const WHITE_NOISE: f32 = 0.8;
 
+/// The same shares: a window between them is a picture with some noise, and of a deviation there, or below them, at least a part counts.
+const PICTURE: f32 = 0.15;
+const MIXTURE: f32 = 0.45;
+const NARROWEST: f32 = 0.2;
+
 /// Of the mean: logarithms of less are next to equal.
 const DARK: f32 = 0.1;
 
@@ -39,7 +44,7 @@ const CLEAR: f32 = 2.0;
 
 /// Estimates from 5×5 pixels of how the luminance of one of them varies.
 struct Surroundings {
-    /// Variance of the samples that a mean was made of; less where a clear picture is.
+    /// Variance of the samples that a mean was made of; less where a picture is.
     within: f32,
     /// Variance of the means, without what is smooth, and less likewise.
     noise: f32,
@@ -78,11 +83,11 @@ pub(super) fn deviation_of_mean(
     let mean_at = |q: IVec2| luminance_history.at(q).mean;
     let noise = around.noise.min(noise_of(rect, geometry, &mean_at, p).unwrap_or(f32::INFINITY));
     let white = Whiteness::new(rect, geometry, &mean_at, p);
-    let within = around.within * white.of_pictures;
+    let within = around.within * white.counted;
     deviation(
         tuning,
         luminance_history.at(p),
-        Surroundings { within, noise: noise * white.of_pictures, seen: noise * white.whole, log_noise: white.log_noise, ..around },
+        Surroundings { within, noise: noise * white.counted, seen: noise * white.whole, log_noise: white.log_noise, ..around },
     )
 }
 
@@ -90,8 +95,8 @@ pub(super) fn deviation_of_mean(
 /// and rare light is not.
 struct Whiteness {
     whole: f32,
-    /// 1 where the picture is no clear one.
-    of_pictures: f32,
+    /// The part of a variance that counts: less in a picture, and none in a clear one.
+    counted: f32,
     log_noise: f32,
 }
 
@@ -105,11 +110,13 @@ impl Whiteness {
         let middle = mean(&log);
         let spread = mean(&|q| (log(q) - middle).powi(2));
         match noise_of(rect, geometry, &log, p) {
-            None => Self { whole: 1.0, of_pictures: 1.0, log_noise: 0.0 },
+            None => Self { whole: 1.0, counted: 1.0, log_noise: 0.0 },
             Some(noise) => {
-                let whole = smoothstep(STRUCTURE, WHITE_NOISE, noise / spread.max(1e-20));
+                let share = noise / spread.max(1e-20);
+                let whole = smoothstep(STRUCTURE, WHITE_NOISE, share);
                 let clear = smoothstep(FAINT, CLEAR, spread - noise);
-                Self { whole, of_pictures: 1.0 + clear * (whole - 1.0), log_noise: noise }
+                let narrowed = NARROWEST + (1.0 - NARROWEST) * smoothstep(PICTURE, MIXTURE, share);
+                Self { whole, counted: (1.0 + clear * (whole - 1.0)) * narrowed * narrowed, log_noise: noise }
             }
         }
     }

@@ -86,6 +86,21 @@ fn a_picture_in_a_mirror_is_no_noise() {
     assert!(widest < 0.1, "{widest}");
 }
 
+#[test]
+fn an_edge_that_no_guide_knows_is_little_noise_in_the_first_frame() {
+    // A shadow of half of the light is no clear picture: its edge bends by a quarter of what noise of its spread does.
+    let step = 0.5;
+    let shadow = paint(EXTENT, |x, _| of(if x < 24 { 1.0 } else { 1.0 - step }, 0.0, 1.0));
+    let beside = at(&deviations(&flat(), &shadow), 24);
+    assert!(beside < 0.12 * step, "{beside}");
+    // Nor is what it left in the pasts of its pixels.
+    let moved = shadow.map(|m| LuminanceHistory { deviation: step, ..*m });
+    assert!(at(&deviations(&flat(), &moved), 24) < 0.5 * step, "{}", at(&deviations(&flat(), &moved), 24));
+    // Noise of the same spread counts in full.
+    let grain = noise(EXTENT, 5).map(|t| of(0.75 + step * (t[0] - 0.5), 0.0, 1.0));
+    assert!(root_mean_square(&deviations(&flat(), &grain)) > 0.9 * UNIFORM * step);
+}
+
 /// A highlight of a few pixels, 200 times as bright as the surface.
 fn highlight(x: i32, y: i32) -> f32 {
     let (dx, dy) = (x as f32 - 20.0, y as f32 - 24.0);
