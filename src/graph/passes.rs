@@ -60,6 +60,12 @@ impl Graph {
         }
     }
 
+    /// The pass that wrote what an image holds now.
+    pub(crate) fn writer_of(&self, image: Image) -> Option<&PassDecl> {
+        let writes = |used: &Use| used.resource == image.id && used.frame == UseFrame::Current && used.access.writes();
+        self.passes.iter().rfind(|pass| image.graph == self.key && pass.uses.iter().any(writes))
+    }
+
     /// The reason why an image cannot be wired, whatever the shader does with it.
     fn refusal(&self, wire: &Wire) -> Option<String> {
         match wire.image {

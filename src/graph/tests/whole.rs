@@ -37,6 +37,37 @@ fn a_graph_of_a_host_is_a_declaration() {
 }
 
 #[test]
+fn specular_light_is_compared_strictly_where_its_variance_says_what_is_rare() {
+    let strict = |apart: bool, estimator: Estimator| {
+        let mut g = Graph::new([64, 36]);
+        let guides = g.import(Import::default());
+        let (diffuse, specular) = (g.radiance("noisy_diffuse"), g.radiance("noisy_specular"));
+        let irradiance = [diffuse, specular].map(|noisy| g.demodulate(&guides, &noisy, Demodulate::default()));
+        let history = g.specular_history(&irradiance[1], Feedback::Accumulated);
+        let found = g.specular_accumulation(&guides, &irradiance[1], &history, SpecularAccumulation::default());
+        let variance = Variance { estimator, ..Variance::default() };
+        let estimate = if apart {
+            g.variance(&guides, &found.accumulated, &history.history, variance)
+        } else {
+            let of_diffuse = g.history(&irradiance[0], Feedback::Accumulated);
+            let accumulated = g.temporal_accumulation(&guides, &irradiance[0], &of_diffuse, Accumulation::default());
+            let both = g.pair(&accumulated, &found.accumulated);
+            g.variance(&guides, &both, &of_diffuse.beside(history.history), variance)
+        };
+        let atrous = Atrous { luminance_weight: LuminanceWeight::OfMeans, reflection: Some(found.reflection), ..Atrous::default() };
+        let filtered = g.atrous(&guides, &estimate, atrous);
+        let radiance = g.modulate(&guides, &filtered.into(), Modulate::default());
+        g.output("mine", &radiance);
+        let declaration = g.finish().expect("valid");
+        let levels = declaration.passes().iter().filter(|pass| pass.name.starts_with("atrous"));
+        levels.map(|pass| pass.constant("MARKED")).collect::<Vec<_>>()
+    };
+    assert_eq!(strict(true, Estimator::OfMean), [Some(1); 5]);
+    assert_eq!(strict(true, Estimator::Switched), [Some(0); 5]);
+    assert_eq!(strict(false, Estimator::OfMean), [Some(0); 5]);
+}
+
+#[test]
 fn signals_name_their_resources_and_passes() {
     let mut g = Graph::new([64, 36]);
     let guides = g.import(Import::default());

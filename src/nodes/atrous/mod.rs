@@ -38,7 +38,8 @@ pub struct Atrous {
     /// The history that the first level writes: one with [`crate::graph::Feedback::Filtered`]. Default: none.
     pub feedback: Option<History>,
     /// Reflections of the surfaces, if the last signal is specular light. It is filtered no wider than
-    /// their lobes. Default: none.
+    /// their lobes. With [`LuminanceWeight::OfMeans`], give it a node `variance` of its own, whose estimate then says where light is
+    /// rare: taps are compared more strictly. Default: none.
     pub reflection: Option<Reflection>,
     /// Tolerated difference of luminance. Default: [`crate::Tuning::sigma_l`].
     pub sigma_l: Value,
@@ -104,11 +105,14 @@ impl Graph {
         };
         let levels = Levels { node: &node, count: atrous.levels, feedback: atrous.feedback };
         let of_means = atrous.luminance_weight == LuminanceWeight::OfMeans;
+        let of_specular = of_means && atrous.reflection.is_some_and(|reflection| !reflection.mixed);
+        let marks = |image: &Image| self.writer_of(*image).is_some_and(|pass| pass.constant("MARKED") == Some(1));
+        let marked = of_specular && estimate.images().last().is_some_and(marks);
         self.levels(levels, estimate, |name, level| {
             level_pass(&node, name, module, level)
                 .constant("KERNEL", atrous.kernel as u32)
                 .constant("OURS", of_means.into())
-                .constant("MARKED", (of_means && atrous.reflection.is_some_and(|reflection| !reflection.mixed)).into())
+                .constant("MARKED", marked.into())
                 .value("sigma_l", atrous.sigma_l)
                 .value("sigma_n", atrous.sigma_n)
                 .value("sigma_z", atrous.sigma_z)
