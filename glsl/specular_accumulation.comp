@@ -110,32 +110,6 @@ const float BLURRED_ANYWAY = 2.5;
 // Of a pixel, to which a position is rounded before 4x4 taps are looked up: which of them count is then no matter of the last bit.
 const float LOOKUP_STEPS = 256.0;
 
-// Standard errors by which the light of now may differ from a past that counts in full; twice as many, and it does not count. The widest lobe
-// mirrors no place, so that chance would cost more than what moves.
-const float AGREES = 2.0;
-const float AGREES_WIDEST = 4.0;
-// Of the light, how far half precision and taps between pixels may be off.
-const float ROUNDED = 1e-3;
-// Pixels to each side, and the fewest that tell a change.
-const int AGREEMENT_REACH = 2;
-const int AGREEMENT_SIDE = 2 * AGREEMENT_REACH + 1;
-const float FEWEST_AGREEING = 9.0;
-// Of the light of a past: logarithms of less are next to equal.
-const float DARK = 0.02;
-// Of the pixels around the 3x3 nearest ones, beside those.
-const float RING_WEIGHT = 0.25;
-// By how much the mean of a logarithm to base 2 may lie below the logarithm of a mean, of the variance: four times that of a log-normal
-// distribution, since rare light is skewed more.
-const float LOG_BIAS = 1.386;
-// Smallest variances of logarithms to base 2: of a mean of pixels, and of a sample.
-const float LOG_ROUNDED = 1e-3;
-const float LOG_NOISE = 1e-2;
-// Pixels that rare light should have hit by the past, of those compared: up to the first, that it hit none is chance, from the second on it is a change.
-const float FEW_HITS = 2.0;
-const float ENOUGH_HITS = 4.0;
-// Three in a row that tell how white noise is.
-const float FEWEST_ROWS = 6.0;
-
 // Of light that is mixed, the share that a lobe explains where nobody says how much base and coat reflect.
 const float UNKNOWN_SHARE = 0.5;
 
@@ -144,21 +118,6 @@ const float UNKNOWN_REACH = 1e4;
 
 // The same of the nearest thing that a surface may show.
 const float NEAREST_REACH = 0.125;
-
-// Where nobody knows the distance: how likely it is at first that a surface shows an image, and how much of the odds, as logarithms, is kept.
-const float CHANCE_AT_FIRST = 0.076;
-const float ODDS_KEPT = 0.8;
-// The most that one frame tells, and that all of them tell, as logarithms of odds.
-const float LARGEST_EVIDENCE = 8.0;
-const float LARGEST_ODDS = 4.8;
-// An image that is less likely is not looked up.
-const float UNLIKELY = 0.1;
-// Pixels to each side, and the fewest that tell which past is seen.
-const int EVIDENCE_REACH = 3;
-const int EVIDENCE_SIDE = 2 * EVIDENCE_REACH + 1;
-const float FEWEST_TELLING = 6.0;
-// Variance of a past of one frame beside that of a sample, both as logarithms.
-const float PAST_NOISE = 0.35;
 
 // Of the difference between the reach of a past and that of a pixel, whose own may be chance at an edge.
 const float OWN_DIFFERENCE = 0.35;
@@ -175,6 +134,9 @@ struct Past {
     float image_share;  // as unpack_image_share
     History light;
 };
+
+#include "light_agreement.glsl"
+#include "image_evidence.glsl"
 
 Centre centre_of(ivec2 p, GuideBits packed, float origin) {
     SurfaceMotion m = unpack_surface_motion(texelFetch(surface_motion, p, 0));
@@ -316,140 +278,6 @@ float other_thing(Centre c, Past past, float here, vec2 reaches, float roughness
 float worth(float frames, float error, float tolerance) { return min(frames, tolerance / max(error, 1e-4)); }
 
 float change_at(ivec2 p) { return is_present(HISTORY_CONFIDENCE) ? 1.0 - texelFetch(history_confidence, host_pixel(HISTORY_CONFIDENCE, p), 0).x : 0.0; }
-
-// Logarithms of light of now beside those of the past, over pixels.
-struct LogDifference {
-    float sum;
-    vec2 weights;     // and their squares
-    vec2 before;      // of now, of the two pixels to the left
-    int row;          // of how many pixels to the left
-    float bends;      // squared second differences of now
-    float triples;
-};
-
-void add_pair(inout LogDifference logs, float now, float past, float weight) {
-    logs.sum += weight * (now - past);
-    logs.weights += vec2(weight, weight * weight);
-    if (logs.row >= 2) {
-        float bend = now - 2.0 * logs.before.y + logs.before.x;
-        logs.bends += bend * bend;
-        logs.triples += 1.0;
-    }
-    logs.before = vec2(logs.before.y, now);
-    logs.row += 1;
-}
-
-// Frames until the error of a past is as large as the noise of a sample, both as ratios of light. Rare light has noise without bounds by this
-// measure, and a highlight, which is smooth as a ratio, next to none. `hits`: the share of samples that brought the light of the past.
-float frames_by_logs(LogDifference logs, float hits) {
-    if (logs.triples < FEWEST_ROWS) return 65504.0;
-    float noise = logs.bends / (6.0 * logs.triples), difference = logs.sum / logs.weights.x;
-    float pixels = logs.weights.x * logs.weights.x / logs.weights.y;
-    float missed = clamp((hits * pixels - FEW_HITS) / (ENOUGH_HITS - FEW_HITS), 0.0, 1.0);
-    float outside = max(max(difference, -(difference + LOG_BIAS * noise) * missed), 0.0);
-    float error = max(outside - sqrt(noise / pixels + LOG_ROUNDED), 0.0);
-    return (noise + LOG_NOISE) / max(error * error, 1e-9);
-}
-
-// Frames that a past is worth by the light of now around a position: by the mean difference over 5x5 pixels in standard errors, of the channel
-// that differs most; where nobody knows the place of what is seen (`by_logs`), by logarithms as well. What a surface mirrors may move or turn
-// while the surface does neither.
-float frames_by_light(Centre c, vec2 position, Past past, float agrees, bool by_logs) {
-    History light = in_light(past.light, c.origin, vec3(1.0), frame.exposure_ratio);
-    ivec2 shift = ivec2(floor(position + 0.5)) - c.mirror.p;
-    vec3 sum = vec3(0.0), squares = vec3(0.0);
-    float count = 0.0, dark = DARK * max(luminance(light.irradiance), 0.0) + 1e-6;
-    LogDifference logs = LogDifference(0.0, vec2(0.0), vec2(0.0), 0, 0.0, 0.0);
-    [[dont_unroll]] for (int i = 0; i < AGREEMENT_SIDE * AGREEMENT_SIDE; ++i) {
-        ivec2 offset = ivec2(i % AGREEMENT_SIDE, i / AGREEMENT_SIDE) - AGREEMENT_REACH, q = c.mirror.p + offset, before = q + shift;
-        if (offset.x == -AGREEMENT_REACH) logs.row = 0;
-        bool exists = is_inside(q) && is_inside_previous(before);
-        vec4 value = texelFetch(noisy, nearest_inside(q), 0);
-        GuideBits packed = GuideBits(packed_at(guide, nearest_inside(q)));
-        if (!exists || value.a < 0.0 || guide_depth(packed) == 0.0 || guide_id(packed) != guide_id(c.mirror.packed)) {
-            logs.row = 0;
-            continue;
-        }
-        vec3 then = signed_half_range(texelFetch(history, before, 0).rgb * frame.exposure_ratio), difference = value.rgb - then;
-        sum += difference;
-        squares += difference * difference;
-        count += 1.0;
-        if (!by_logs) continue;
-        float weight = max(abs(offset.x), abs(offset.y)) < AGREEMENT_REACH ? 1.0 : RING_WEIGHT;
-        add_pair(logs, log2(luminance(value.rgb) + dark), log2(max(luminance(then), 0.0) + dark), weight);
-    }
-    if (count < FEWEST_AGREEING) return past.frames;
-    vec3 mean = sum / count, rounded = ROUNDED * light.irradiance;
-    // Samples that a rare light missed all look alike: the past knows how much they differ.
-    vec3 variance = max(squares / count - mean * mean, vec3(light.second_moment));
-    vec3 errors = abs(mean) * inversesqrt(variance / count + rounded * rounded + 1e-20);
-    float agreement = clamp(2.0 - max(max(errors.x, errors.y), errors.z) / agrees, 0.0, 1.0);
-    if (!by_logs) return past.frames * agreement;
-    float squared = light.mean * light.mean;
-    return min(past.frames * agreement, frames_by_logs(logs, squared / max(squared + light.second_moment, 1e-20)));
-}
-
-float log_odds(float chance) { return log(chance / (1.0 - chance)); }
-
-float luminance_then(ivec2 q) { return luminance(half_range(texelFetch(history, nearest_inside_previous(q), 0).rgb * frame.exposure_ratio)); }
-
-// Luminance of the past between pixels, to the right of `first`, which lies on a row.
-void luminance_row(float first, int y, out float row[EVIDENCE_SIDE]) {
-    float left = luminance_then(ivec2(floor(first), y)), f = fract(first);
-    [[unroll]] for (int x = 0; x < EVIDENCE_SIDE; ++x) {
-        float right = luminance_then(ivec2(floor(first) + x + 1, y));
-        row[x] = mix(left, right, f);
-        left = right;
-    }
-}
-
-// By how much the light of now makes it likelier that the image is seen, not the surface, as logarithm of the odds. Both pasts are compared with it
-// over 7x7 pixels, as logarithms, by the differences about their mean: logarithms of samples lie below those of what they are samples of.
-float evidence_for_image(Centre c, vec2 image_position, Past surface) {
-    vec2 position = c.mirror.surface_position;
-    vec2 f = fract(vec2(position.y, image_position.y));
-    vec3 past = half_range(surface.light.irradiance * frame.exposure_ratio);
-    float dark = DARK * luminance(past) + 1e-6;
-    // Of the surface and of the image.
-    float above[2][EVIDENCE_SIDE], below[2][EVIDENCE_SIDE];
-    vec2 sum = vec2(0.0), squares = vec2(0.0);
-    float count = 0.0, apart = 0.0;
-    [[dont_unroll]] for (int y = -EVIDENCE_REACH; y <= EVIDENCE_REACH + 1; ++y) {
-        luminance_row(position.x - EVIDENCE_REACH, int(floor(position.y)) + y, below[0]);
-        luminance_row(image_position.x - EVIDENCE_REACH, int(floor(image_position.y)) + y, below[1]);
-        [[unroll]] for (int x = 0; x < EVIDENCE_SIDE; ++x) {
-            ivec2 q = c.mirror.p + ivec2(x - EVIDENCE_REACH, y - 1), tap = nearest_inside(q);
-            vec4 value = texelFetch(noisy, tap, 0);
-            GuideBits packed = GuideBits(packed_at(guide, tap));
-            // Of the first row, there is nothing above.
-            bool tells = y > -EVIDENCE_REACH && q == tap && value.a >= 0.0 && guide_depth(packed) != 0.0 && guide_id(packed) == guide_id(c.mirror.packed);
-            vec2 then = mix(vec2(above[0][x], above[1][x]), vec2(below[0][x], below[1][x]), f);
-            vec2 difference = tells ? log2(luminance(value.rgb) + dark) - log2(then + dark) : vec2(0.0);
-            sum += difference;
-            squares += difference * difference;
-            apart += (difference.x - difference.y) * (difference.x - difference.y);
-            count += float(tells);
-            above[0][x] = below[0][x];
-            above[1][x] = below[1][x];
-        }
-    }
-    if (count < FEWEST_TELLING) return 0.0;
-    squares -= sum * sum / count;
-    apart -= (sum.x - sum.y) * (sum.x - sum.y) / count;
-    float noise = min(squares.x, squares.y) / count + LOG_ROUNDED;
-    // Pasts also differ by their own noise, which tells nothing.
-    float of_noise = 2.0 * PAST_NOISE * noise * count / max(surface.frames, 1.0);
-    float share = clamp(1.0 - of_noise / max(apart, 1e-6), 0.0, 1.0);
-    return clamp(share * (squares.x - squares.y) / (2.0 * noise), -LARGEST_EVIDENCE, LARGEST_EVIDENCE);
-}
-
-// How likely it is that the image at a position is seen where nobody knows the distance, by all frames of the surface.
-float image_chance(Centre c, bool moves, vec2 image_position, Past surface) {
-    float odds = clamp(log_odds(clamp(surface.image_share, 1e-3, 0.999)), -LARGEST_ODDS, LARGEST_ODDS);
-    odds = mix(log_odds(CHANCE_AT_FIRST), odds, ODDS_KEPT);
-    if (moves) odds += evidence_for_image(c, image_position, surface);
-    return 1.0 / (1.0 + exp(-clamp(odds, -LARGEST_ODDS, LARGEST_ODDS)));
-}
 
 Past mixed(Past a, Past b, float share) {
     History light = History(mix(a.light.irradiance, b.light.irradiance, share), mix(a.light.mean, b.light.mean, share),

@@ -22,6 +22,7 @@ use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Counter, Error, FrameConstants, Statistics, Tuning};
 use glam::IVec2;
 
+mod agreement;
 mod evidence;
 mod past;
 #[cfg(test)]

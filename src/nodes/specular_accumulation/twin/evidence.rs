@@ -1,6 +1,7 @@
 //! Where nobody knows the hit distance: how likely the light of now makes it that the image is seen, and not the light of the surface.
 
-use super::past::{of_light, Past, DARK, LOG_ROUNDED};
+use super::agreement::{DARK, LOG_ROUNDED};
+use super::past::{of_light, Past};
 use super::{Centre, Scene};
 use crate::reference::binary16::LARGEST_HALF;
 use crate::reference::render_rect::RenderRect;

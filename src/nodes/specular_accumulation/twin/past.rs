@@ -1,5 +1,6 @@
 //! The past of a reflection: where the surface was, where the image behind it was, and how much each is worth.
 
+use super::agreement::{AGREES, AGREES_WIDEST};
 use super::evidence::{CHANCE_AT_FIRST, UNLIKELY};
 use super::{Centre, Scene};
 use crate::nodes::temporal_accumulation::twin::{cubic_taps, SMALLEST_WEIGHT_SUM};
@@ -27,32 +28,6 @@ const BLURRED_ANYWAY: f32 = 2.5;
 
 /// Of a pixel, to which a position is rounded before 4×4 taps are looked up: which of them count is then no matter of the last bit.
 const LOOKUP_STEPS: f32 = 256.0;
-
-/// Standard errors by which the light of now may differ from a past that counts in full; twice as many, and it does not count. The widest lobe
-/// mirrors no place, so that chance would cost more than what moves.
-const AGREES: f32 = 2.0;
-const AGREES_WIDEST: f32 = 4.0;
-/// Of the light, how far half precision and taps between pixels may be off.
-const ROUNDED: f32 = 1e-3;
-/// Pixels to each side, and the fewest that tell a change.
-const AGREEMENT_REACH: i32 = 2;
-const FEWEST_AGREEING: f32 = 9.0;
-/// Of the light of a past: logarithms of less are next to equal.
-pub(super) const DARK: f32 = 0.02;
-/// Of the pixels around the 3×3 nearest ones, beside those.
-const RING_WEIGHT: f32 = 0.25;
-/// By how much the mean of a logarithm to base 2 may lie below the logarithm of a mean, of the variance: four times that of a log-normal
-/// distribution, since rare light is skewed more.
-const LOG_BIAS: f32 = 1.386;
-/// Smallest variances of logarithms to base 2: of a mean of pixels, and of a sample.
-pub(super) const LOG_ROUNDED: f32 = 1e-3;
-const LOG_NOISE: f32 = 1e-2;
-/// Pixels that rare light should have hit by the past, of those compared: up to the first, that it hit none is chance, from the second on it
-/// is a change.
-const FEW_HITS: f32 = 2.0;
-const ENOUGH_HITS: f32 = 4.0;
-/// Three in a row that tell how white noise is.
-const FEWEST_ROWS: f32 = 6.0;
 
 /// Depths to a thing whose hit distance nobody knows: what is far away, or in a curved mirror, is seen next to where this is.
 const UNKNOWN_REACH: f32 = 1e4;
@@ -134,36 +109,6 @@ fn image_share(surface: Option<Past>, image: Option<Past>) -> f32 {
 
 pub(super) fn of_light([r, g, b]: [f32; 3]) -> f32 {
     texel_luminance([r, g, b, 0.0])
-}
-
-/// Frames until the error of a past is as large as the noise of a sample, both as ratios of light. Rare light has noise without bounds by
-/// this measure, and a highlight, which is smooth as a ratio, next to none. `logs`: by offset, of now and of the past.
-/// `hits`: the share of samples that brought the light of the past.
-fn frames_by_logs(logs: &[(IVec2, [f32; 2])], hits: f32) -> f32 {
-    let now_at = |at: IVec2| logs.iter().find(|(offset, _)| *offset == at).map(|(_, [now, _])| *now);
-    let rows = logs.iter().filter_map(|(offset, [now, _])| {
-        let [beside, beyond] = [1, 2].map(|left| now_at(*offset - IVec2::X * left));
-        Some((now - 2.0 * beside? + beyond?).powi(2))
-    });
-    let rows: Vec<f32> = rows.collect();
-    if (rows.len() as f32) < FEWEST_ROWS {
-        return f32::INFINITY;
-    }
-    let noise = rows.iter().sum::<f32>() / (6.0 * rows.len() as f32);
-    let weight = |offset: IVec2| if offset.abs().max_element() < AGREEMENT_REACH { 1.0 } else { RING_WEIGHT };
-    let (mut sum, mut squares, mut difference) = (0.0, 0.0, 0.0);
-    for (offset, [now, then]) in logs {
-        let weight = weight(*offset);
-        sum += weight;
-        squares += weight * weight;
-        difference += weight * (now - then);
-    }
-    let difference = difference / sum;
-    let pixels = sum * sum / squares;
-    let missed = ((hits * pixels - FEW_HITS) / (ENOUGH_HITS - FEW_HITS)).clamp(0.0, 1.0);
-    let outside = difference.max(-(difference + LOG_BIAS * noise) * missed).max(0.0);
-    let error = (outside - (noise / pixels + LOG_ROUNDED).sqrt()).max(0.0);
-    (noise + LOG_NOISE) / (error * error).max(1e-9)
 }
 
 impl Scene<'_> {
@@ -289,55 +234,8 @@ impl Scene<'_> {
         (1.0 - radius).max((1.0 - moved / STILL) * (1.0 - 0.5 * turned)).max(0.0)
     }
 
-    /// Frames that a past is worth by the light of now around a position: by the mean difference over 5×5 pixels in standard errors, of the
-    /// channel that differs most; where nobody knows the place of what is seen (`by_logs`), by logarithms as well.
-    fn frames_by_light(&self, c: &Centre, position: Vec2, past: &Past, agrees: f32, by_logs: bool) -> f32 {
-        let ratio = self.frame.exposure_ratio;
-        let in_light = |value: f32| signed_half_range(value * ratio);
-        let (id, before) = (c.mirror.surface.id, RenderRect::new(self.frame.previous_render_extent));
-        let shift = (position + 0.5).floor().as_ivec2() - c.mirror.p;
-        let counts = |q: IVec2| {
-            let surface = self.motion.surfaces.at(q);
-            before.contains(q + shift) && self.inputs.noisy.at(q)[3] >= 0.0 && !surface.is_background() && surface.id == id
-        };
-        let pairs: Vec<(IVec2, [f32; 3], [f32; 3])> = self
-            .rect
-            .window(c.mirror.p, AGREEMENT_REACH, 1)
-            .filter(|(_, q)| counts(*q))
-            .map(|(offset, q)| {
-                let (now, then) = (self.inputs.noisy.at(q), self.inputs.previous.history.at(q + shift));
-                (offset, [now[0], now[1], now[2]], [then[0], then[1], then[2]].map(in_light))
-            })
-            .collect();
-        let count = pairs.len() as f32;
-        if count < FEWEST_AGREEING {
-            return past.frames;
-        }
-        let known = self.deviation_of(past).powi(2);
-        let irradiance = past.irradiance.map(in_light);
-        let errors = [0, 1, 2].map(|i| {
-            let differences = pairs.iter().map(|(_, now, then)| now[i] - then[i]);
-            let mean = differences.clone().sum::<f32>() / count;
-            let variance = differences.map(|d| (d - mean).powi(2)).sum::<f32>() / count;
-            let rounded = ROUNDED * irradiance[i];
-            mean.abs() / (variance.max(known) / count + rounded * rounded + 1e-20).sqrt()
-        });
-        let agreement = (2.0 - errors.into_iter().fold(0.0, f32::max) / agrees).clamp(0.0, 1.0);
-        if !by_logs {
-            return past.frames * agreement;
-        }
-        let dark = DARK * of_light(irradiance).max(0.0) + 1e-6;
-        let logs: Vec<_> = pairs
-            .iter()
-            .map(|(offset, now, then)| (*offset, [now, then].map(|light| (of_light(*light).max(0.0) + dark).log2())))
-            .collect();
-        let mean = ((c.origin + past.mean) * ratio).min(LARGEST_HALF);
-        let hits = mean * mean / (mean * mean + known).max(1e-20);
-        (past.frames * agreement).min(frames_by_logs(&logs, hits))
-    }
-
     /// Standard deviation of a sample of the past, in the light of this frame.
-    fn deviation_of(&self, past: &Past) -> f32 {
+    pub(super) fn deviation_of(&self, past: &Past) -> f32 {
         ((past.second_moment - past.mean * past.mean).max(0.0).sqrt() * self.frame.exposure_ratio).min(LARGEST_HALF)
     }
 
