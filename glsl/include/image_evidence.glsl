@@ -1,10 +1,13 @@
 // Where nobody knows the hit distance: how likely it is that a surface shows an image, and not a light of its own. Twin:
-// src/nodes/specular_accumulation/twin/evidence.rs. Needs what light_agreement.glsl needs.
+// src/nodes/specular_accumulation/twin/evidence.rs. Needs the types Centre and Past, and the images guide, noisy and history.
 #ifndef IMAGE_EVIDENCE_GLSL
 #define IMAGE_EVIDENCE_GLSL
+#include "frame.glsl"
+#include "guide.glsl"
 #include "light_agreement.glsl"
+#include "luminance.glsl"
 
-// Where nobody knows the distance: how likely it is at first that a surface shows an image, and how much of the odds, as logarithms, is kept.
+// How likely it is at first that a surface shows an image, and how much of the odds, as logarithms, is kept.
 const float CHANCE_AT_FIRST = 0.076;
 const float ODDS_KEPT = 0.8;
 // The most that one frame tells, and that all of them tell, as logarithms of odds.

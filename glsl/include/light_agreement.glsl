@@ -1,7 +1,11 @@
 // How many frames a past is worth by the light of now around a pixel. Twin: src/nodes/specular_accumulation/twin/agreement.rs. Needs the types
-// Centre and Past, the images guide, noisy and history, and what frame.glsl, packed_image.glsl and history_blend.glsl have.
+// Centre and Past, and the images guide, noisy and history.
 #ifndef LIGHT_AGREEMENT_GLSL
 #define LIGHT_AGREEMENT_GLSL
+#include "frame.glsl"
+#include "guide.glsl"
+#include "history_blend.glsl"
+#include "luminance.glsl"
 
 // Standard errors by which the light of now may differ from a past that counts in full; twice as many, and it does not count. The widest lobe
 // mirrors no place, so that chance would cost more than what moves.

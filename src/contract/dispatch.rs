@@ -121,13 +121,6 @@ impl PassDecl {
         dispatch.constants.sort_unstable();
     }
 
-    /// The value of a specialisation constant that was set; `None` where the shader has its own.
-    pub(crate) fn constant(&self, name: &str) -> Option<u32> {
-        let dispatch = self.dispatch()?;
-        let id = dispatch.shader.constant(name)?.id;
-        dispatch.constants.iter().find(|(set, _)| *set == id).map(|(_, bits)| *bits)
-    }
-
     pub(crate) fn shader(&self) -> Option<&Shader> {
         self.dispatch().map(|d| &*d.shader)
     }

@@ -4,7 +4,7 @@
 use super::matching::{self, Automatic};
 use super::pass::{Pass, Wire};
 use super::{Graph, Image};
-use crate::contract::{Access, Lifetime, PassDecl, Phase, Shape, Use, UseFrame, Work};
+use crate::contract::{Access, Lifetime, PassDecl, Phase, ResourceId, Shape, Use, UseFrame, Work};
 
 impl Graph {
     /// The name of an instance of a node, which is in the graph once.
@@ -62,8 +62,11 @@ impl Graph {
 
     /// The pass that wrote what an image holds now.
     pub(crate) fn writer_of(&self, image: Image) -> Option<&PassDecl> {
-        let writes = |used: &Use| used.resource == image.id && used.frame == UseFrame::Current && used.access.writes();
-        self.passes.iter().rfind(|pass| image.graph == self.key && pass.uses.iter().any(writes))
+        self.last_writer(image.id).map(|pass| &self.passes[pass])
+    }
+
+    fn last_writer(&self, id: ResourceId) -> Option<usize> {
+        self.passes.iter().rposition(|pass| pass.uses.iter().any(|u| u.resource == id && u.access.writes()))
     }
 
     /// The reason why an image cannot be wired, whatever the shader does with it.
@@ -85,8 +88,7 @@ impl Graph {
         if wire.frame == UseFrame::Previous || !reads || wire.image.version == self.states[id.0 as usize].version {
             return None;
         }
-        let writes = |p: &&PassDecl| p.uses.iter().any(|u| u.resource == id && u.access.writes());
-        let writer = self.passes.iter().zip(&self.owners).rev().find(|(p, _)| writes(p)).map_or("a later node", |(_, node)| node);
+        let writer = self.last_writer(id).map_or("a later node", |pass| &self.owners[pass]);
         let name = &self.resources[id.0 as usize].name;
         Some((binding.to_owned(), format!("`{name}` was overwritten by `{writer}`; take what that node returned")))
     }

@@ -57,7 +57,7 @@ fn edges_of_shadows_are_sharp_and_nearly_right() {
             let errors: Vec<f64> = radiance.iter().map(|image| edges.error(image, &reference).expect("finite")).collect();
             let widths: Vec<_> = radiance.iter().chain([&reference]).map(|image| edges.width(image, &reference)).collect();
             println!("error {errors:.4?}, width {widths:.2?} of {} edges", edges.profiles());
-            // By itself as well: a better filter of all light in one must not stand in for that of visibility.
+            // The ratio alone would also move with the filter of all light in one.
             assert!(errors[1] < 0.1616 && errors[1] < 0.68 * errors[0], "{errors:?}");
             assert!(widths[1].expect("edges") < widths[2].expect("edges") + 1.5, "{widths:?}");
         }
