@@ -4,6 +4,7 @@
 // In:  guide (current, previous), surface_motion, noisy irradiance, irradiance_history, luminance_history (previous).
 //      Pixels without a sample (alpha -1) do not count.
 // Out: block_difference, one texel a block: mean, deviation, pixels, noise, mean luminance of the brighter side.
+#extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 

@@ -109,6 +109,8 @@ const float BLURRED_ANYWAY = 2.5;
 
 // Of a pixel, to which a position is rounded before 4x4 taps are looked up: which of them count is then no matter of the last bit.
 const float LOOKUP_STEPS = 256.0;
+// Nor is then which of 2x2 taps are in the range of a past.
+const float LEAST_IN_RANGE = 0.5 / LOOKUP_STEPS;
 
 // Of light that is mixed, the share that a lobe explains where nobody says how much base and coat reflect.
 const float UNKNOWN_SHARE = 0.5;
@@ -190,7 +192,7 @@ bool is_same_surface(Centre c, ivec2 tap) {
     return surface_refusal(packed, there, slack) == REASON_NONE && normal_refusal(guide_normal(packed), there) == REASON_NONE;
 }
 
-Past nothing() { return Past(false, 0.0, 0.0, 0.0, 0.0, 0.0, History(vec3(0.0), 0.0, 0.0)); }
+Past nothing() { return Past(false, 0.0, 0.0, 0.0, 0.0, 0.0, NO_HISTORY); }
 
 float likeness(Centre c, ivec2 tap) {
     return SHARP ? normal_likeness(guide_normal(GuideBits(texelFetch(previous_guide, tap, 0))), c.expected) : 1.0;
@@ -206,8 +208,9 @@ Past past_at(Centre c, vec2 position) {
         float weight = tent.x * tent.y;
         if (!(weight > 0.0) || !is_same_surface(c, tap)) continue;
         whole += weight;
-        weight *= likeness(c, tap);
         LuminanceHistory m = unpack_luminance_history(texelFetch(previous_luminance_history, tap, 0).x);
+        if (weight >= LEAST_IN_RANGE) widen_range(sum.light, m.mean);
+        weight *= likeness(c, tap);
         uint packed = texelFetch(previous_reflection, tap, 0).x;
         Reflection r = unpack_reflection(packed);
         float image_share = unpack_image_share(packed);
@@ -221,7 +224,7 @@ Past past_at(Centre c, vec2 position) {
     }
     if (whole < SMALLEST_WEIGHT_SUM) return nothing();
     float scale = 1.0 / weights;
-    History light = History(sum.light.irradiance * scale, sum.light.mean * scale, sum.light.second_moment * scale);
+    History light = History(sum.light.irradiance * scale, sum.light.mean * scale, sum.light.second_moment * scale, sum.light.range);
     return Past(true, sum.frames / whole, sum.nearness * scale, sum.reach * scale, sum.roughness * scale, sum.image_share * scale, light);
 }
 
@@ -281,7 +284,8 @@ float change_at(ivec2 p) { return is_present(HISTORY_CONFIDENCE) ? 1.0 - texelFe
 
 Past mixed(Past a, Past b, float share) {
     History light = History(mix(a.light.irradiance, b.light.irradiance, share), mix(a.light.mean, b.light.mean, share),
-                            mix(a.light.second_moment, b.light.second_moment, share));
+                            mix(a.light.second_moment, b.light.second_moment, share),
+                            vec2(min(a.light.range.x, b.light.range.x), max(a.light.range.y, b.light.range.y)));
     return Past(true, mix(a.frames, b.frames, share), mix(a.nearness, b.nearness, share), mix(a.reach, b.reach, share),
                 mix(a.roughness, b.roughness, share), mix(a.image_share, b.image_share, share), light);
 }

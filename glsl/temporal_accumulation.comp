@@ -122,10 +122,12 @@ void add_tap(inout Gathered sum, ivec2 tap, Expected expected, float whole) {
     sum.weight += weight;
     sum.history_lengths[0] += weight * m.history_length;
     add_history(sum.signals[0], texelFetch(history_0, tap, 0).rgb, m, origins[0], weight);
+    widen_range(sum.signals[0], m.mean);
 #if SIGNALS == 2
     LuminanceHistory m_1 = unpack_luminance_history(packed_at(previous_luminance_history_1, tap).x);
     sum.history_lengths[1] += weight * m_1.history_length;
     add_history(sum.signals[1], texelFetch(history_1, tap, 0).rgb, m_1, origins[1], weight);
+    widen_range(sum.signals[1], m_1.mean);
 #endif
 }
 
@@ -137,7 +139,7 @@ Gathered nothing() {
     sum.whole = 0.0;
     for (int i = 0; i < SIGNALS; ++i) {
         sum.history_lengths[i] = 0.0;
-        sum.signals[i] = History(vec3(0.0), 0.0, 0.0);
+        sum.signals[i] = NO_HISTORY;
     }
     return sum;
 }
@@ -313,7 +315,7 @@ void main() {
         if (sum.weight > 0.0) {
             float history_length = min(sum.history_lengths[i] / whole_of(sum) + worth, longest);
             History h = sum.signals[i];
-            h = History(h.irradiance * inverse, h.mean * inverse, h.second_moment * inverse);
+            h = History(h.irradiance * inverse, h.mean * inverse, h.second_moment * inverse, h.range);
             vec2 least = adapted(vec2(push.alpha, push.alpha_moments) * worth, change);
             irradiance[i] = blend(irradiance[i], in_light(h, origins[i], ratio, light_scale(ratio)), history_length, worth, least, luminance_history[i]);
         }

@@ -66,8 +66,8 @@ struct Window {
 
 void add_moments(inout vec2 sum, uint packed, float origin, float weight) {
     vec2 m = unpack_new_luminance(packed);
-    float difference = m.x - origin;
-    sum += weight * vec2(difference, m.y * m.y + difference * difference);
+    float difference = m.x - origin, deviation = max(m.y, 0.0);
+    sum += weight * vec2(difference, deviation * deviation + difference * difference);
 }
 
 void add_tap(inout Window window, ivec2 p, Geometry geometry, ivec2 offset) {
@@ -175,19 +175,21 @@ float doubt_of(float error, float log_noise) {
 
 // White noise bends by six times its variance.
 const float BEND_OF_NOISE = 6.0;
+// Samples vary by no more than so many times their variance against their own pasts.
+const float MOST_OF_PAST = 2.0;
 // The least weight of all bends together that tell something: on a small ball the normals of three pixels differ, and its shading is no noise.
 const float LEAST_BENDS = 0.05;
 
-// `luminances`: with the deviations of samples.
-Surroundings surroundings_of(vec2 luminances[PIXELS], float weights[PIXELS]) {
-    float sum = 0.0, mean = 0.0, within = 0.0;
+// `luminances`: of unpack_new_luminance. `m`: of the pixel in the middle.
+Surroundings surroundings_of(vec2 luminances[PIXELS], float weights[PIXELS], LuminanceHistory m) {
+    float sum = 0.0, mean = 0.0, past = 0.0;
     [[unroll]] for (int i = 0; i < PIXELS; ++i) {
         sum += weights[i];
         mean += weights[i] * luminances[i].x;
-        within += weights[i] * luminances[i].y * luminances[i].y;
+        past += weights[i] * luminances[i].y * luminances[i].y;
     }
     mean /= sum;
-    within /= sum;
+    past /= sum;
     // From here on, luminances with their logarithms.
     float log_mean = 0.0, dark = max(DARK * mean, 0.0) + 1e-12;
     [[unroll]] for (int i = 0; i < PIXELS; ++i) {
@@ -214,12 +216,20 @@ Surroundings surroundings_of(vec2 luminances[PIXELS], float weights[PIXELS]) {
     // The sum of squares, by the spread.
     bool rare = sum * mean * mean <= FEW_LIT * (spreads.x + mean * mean);
     float error = sqrt(max(fourth / max(sum * spreads.x * spreads.x, 1e-36) - 1.0, 0.0) / sum);
+    // The mean of one frame is its sample: what it varies by is seen in its neighbours already.
+    bool is_sample = m.outside >= 0.0;
+    float within = is_sample ? 0.0 : past;
     if (FILLED) return Surroundings(within, FILLED_NOISE * spreads.x, FILLED_NOISE * spreads.x, doubt_of(error, 0.0), rare);
-    if (triples <= LEAST_BENDS) return Surroundings(within, spreads.x, spreads.x, doubt_of(error, 0.0), rare);
-    bends /= BEND_OF_NOISE * triples;
-    vec2 white = whiteness(spreads.y, bends.y);
-    float noise = min(spreads.x, bends.x);
-    return Surroundings(within * white.y, noise * white.y, noise * white.x, doubt_of(error, bends.y), rare);
+    vec2 white = vec2(1.0);
+    float noise = spreads.x, log_noise = 0.0;
+    if (triples > LEAST_BENDS) {
+        bends /= BEND_OF_NOISE * triples;
+        white = whiteness(spreads.y, bends.y);
+        noise = min(noise, bends.x);
+        log_noise = bends.y;
+    }
+    if (is_sample) white *= min(MOST_OF_PAST * past / max(noise, 1e-20), 1.0);
+    return Surroundings(within * white.y, noise * white.y, noise * white.x, doubt_of(error, log_noise), rare);
 }
 
 // Of the noise that neighbouring means still show: noise that repeats is not averaged away, and few neighbours show too little of it.
@@ -268,12 +278,12 @@ void main() {
         weigh(p, packed, weights);
         vec2 luminances[PIXELS];
         [[unroll]] for (int i = 0; i < PIXELS; ++i) luminances[i] = unpack_new_luminance(packed_at(new_luminance_0, pixel_of(p, i)).x);
-        Surroundings around = surroundings_of(luminances, weights);
+        Surroundings around = surroundings_of(luminances, weights, m);
         deviations.x = deviation_of_mean(m, around);
         if (MARKED) deviations.x = marked(deviations.x, around.rare);
 #if SIGNALS == 2
         [[unroll]] for (int i = 0; i < PIXELS; ++i) luminances[i] = unpack_new_luminance(packed_at(new_luminance_1, pixel_of(p, i)).x);
-        deviations.y = deviation_of_mean(m_1, surroundings_of(luminances, weights));
+        deviations.y = deviation_of_mean(m_1, surroundings_of(luminances, weights, m_1));
 #endif
     } else if (needs_neighbours(min(lengths.x, lengths.y))) {
         vec2 sums[2];

@@ -11,7 +11,10 @@ struct History {
     vec3 irradiance;
     float mean;
     float second_moment;
+    vec2 range;  // of the mean luminances of what is added
 };
+
+const History NO_HISTORY = History(vec3(0.0), 0.0, 0.0, vec2(65504.0, 0.0));
 
 // The luminance of this frame's sample in the light of the previous one: what cancels by it is little beside the difference of the two.
 float luminance_origin(vec3 irradiance) { return min(luminance(irradiance) / max(frame.exposure_ratio, 1e-20), 65504.0); }
@@ -22,6 +25,8 @@ void add_history(inout History sum, vec3 irradiance, LuminanceHistory m, float o
     sum.mean += weight * difference;
     sum.second_moment += weight * (m.deviation * m.deviation + difference * difference);
 }
+
+void widen_range(inout History sum, float mean) { sum.range = vec2(min(sum.range.x, mean), max(sum.range.y, mean)); }
 
 // How far light changed, 0 to 1, raises the weight of the new sample.
 float adapted(float alpha, float change) { return alpha + change * (1.0 - alpha); }
@@ -34,14 +39,19 @@ History in_light(History history, float origin, vec3 ratio, float scale) {
     float gain = min(scale, 1e18);
     float variance = max(0.0, history.second_moment - history.mean * history.mean) * (gain * gain);
     vec3 irradiance = signed_half_range(history.irradiance * ratio * frame.exposure_ratio);
-    return History(irradiance, min((origin + history.mean) * scale, 65504.0), min(variance, 65504.0 * 65504.0));
+    return History(irradiance, min((origin + history.mean) * scale, 65504.0), min(variance, 65504.0 * 65504.0), min(history.range * gain, 65504.0));
 }
 
 // Of a pixel without a history; without a sample either, its next one is its first.
 LuminanceHistory first_luminance(vec3 irradiance, float worth, uint reason) {
     bool sampled = worth > 0.0;
-    return LuminanceHistory(luminance(irradiance), 0.0, sampled ? 1.0 : 0.0, sampled ? reason : REASON_NONE);
+    return LuminanceHistory(luminance(irradiance), 0.0, sampled ? 1.0 : 0.0, sampled ? reason : REASON_NONE, UNTOLD);
 }
+
+// Up to here, a history is one of this frame alone.
+const float ONE_FRAME = 1.5;
+// Even noise lies outside of four samples of itself by this part of its deviation.
+const float OUTSIDE_OF_FOUR = 0.535;
 
 // `worth`: frames that this one counts for; 0: there is no sample, and the history stays. `least`: smallest weights of this frame, in the
 // irradiance and in its moments.
@@ -53,6 +63,9 @@ vec3 blend(vec3 irradiance, History history, float history_length, float worth, 
     luminance_history.deviation = sqrt((1.0 - alpha_moments) * (history.second_moment + alpha_moments * difference * difference));
     luminance_history.history_length = history_length;
     luminance_history.reason = REASON_NONE;
+    // A past that moved was resampled: what lies between its pixels is no noise.
+    float outside = max(max(luminance(irradiance) - history.range.y, history.range.x - luminance(irradiance)), 0.0);
+    luminance_history.outside = worth > 0.0 && history_length < ONE_FRAME ? min(outside / OUTSIDE_OF_FOUR, 65504.0) : UNTOLD;
     float alpha = weights.x;
     // What is dropped leaves no rounding error behind.
     return alpha < 1.0 ? mix(history.irradiance, irradiance, alpha) : irradiance;

@@ -9,7 +9,11 @@ struct LuminanceHistory {
     float deviation;
     float history_length;  // frames; 0: there never was a sample
     uint reason;           // REASON_*
+    float outside;         // within a frame, of a history of one frame: see UNTOLD
 };
+
+// How far a sample lies outside of its past, as a deviation, is not told.
+const float UNTOLD = -1.0;
 
 const uint REASON_NONE = 0u;
 const uint REASON_OFF_SCREEN = 1u;
@@ -19,17 +23,23 @@ const uint REASON_NORMAL = 4u;
 const uint REASON_RESET = 5u;
 
 // Within a frame: mean and deviation in a texel, and in the alpha of the irradiance the history length, or the negative reason of a loss,
-// whose length is 1.
-uint pack_new_luminance(LuminanceHistory m) { return packHalf2x16(min(vec2(m.mean, m.deviation), 65504.0)); }
+// whose length is 1. A history of one frame has no deviation: where it is told, how far its sample lies outside of its past takes that place,
+// negative and never 0.
+const float LEAST_OUTSIDE = 1.0 / 16384.0;
 
-vec2 unpack_new_luminance(uint packed) { return unpackHalf2x16(packed); }  // mean, deviation
+uint pack_new_luminance(LuminanceHistory m) {
+    return packHalf2x16(min(vec2(m.mean, m.outside < 0.0 ? m.deviation : -max(m.outside, LEAST_OUTSIDE)), 65504.0));
+}
+
+vec2 unpack_new_luminance(uint packed) { return unpackHalf2x16(packed); }
 
 float length_or_reason(LuminanceHistory m) { return m.reason == REASON_NONE ? half_value(half_bits(m.history_length)) : -float(m.reason); }
 
 LuminanceHistory luminance_history_of(uint packed, float length_or_reason) {
     vec2 luminance = unpack_new_luminance(packed);
+    float outside = luminance.y < 0.0 ? -luminance.y : UNTOLD;
     bool lost = length_or_reason < 0.0;
-    return LuminanceHistory(luminance.x, luminance.y, lost ? 1.0 : length_or_reason, lost ? uint(-length_or_reason) : REASON_NONE);
+    return LuminanceHistory(luminance.x, max(luminance.y, 0.0), lost ? 1.0 : length_or_reason, lost ? uint(-length_or_reason) : REASON_NONE, outside);
 }
 
 // The code of a length is the upper part of its half, of which the smallest is this one, 1/16 of a frame; 0: none. Above all of them are reasons.
@@ -44,6 +54,7 @@ uint upper_bits(uint half_bits, uint dropped, uint random) {
 // From frame to frame, of what a stage hands on within one. What is rounded decides how, with its pixel, and not the number of the frame. Of mean
 // and deviation all but the lowest bits decide: two devices that differ by a step of a half mostly agree.
 uint pack_luminance_history(uint new_luminance, float length_or_reason, ivec2 p) {
+    new_luminance = (new_luminance & 0x80000000u) != 0u ? new_luminance & 0xffffu : new_luminance;
     uint pixel = uint(p.x) | uint(p.y) << 16;
     uint random = pcg(pixel + pcg((new_luminance & 0xffe0fff8u) + half_bits(length_or_reason)));
     uint mean = upper_bits(new_luminance, 2u, random), deviation = upper_bits(new_luminance >> 16, 5u, random >> 2);
@@ -55,8 +66,8 @@ uint pack_luminance_history(uint new_luminance, float length_or_reason, ivec2 p)
 LuminanceHistory unpack_luminance_history(uint packed) {
     float mean = half_value(packed >> 19 << 2), deviation = half_value((packed >> 9 & 1023u) << 5);
     uint code = packed & 511u;
-    if (code > NO_REASON_CODE) return LuminanceHistory(mean, deviation, 1.0, code - NO_REASON_CODE);
-    return LuminanceHistory(mean, deviation, code == 0u ? 0.0 : half_value((code + SHORTEST_LENGTH) << 5), REASON_NONE);
+    if (code > NO_REASON_CODE) return LuminanceHistory(mean, deviation, 1.0, code - NO_REASON_CODE, UNTOLD);
+    return LuminanceHistory(mean, deviation, code == 0u ? 0.0 : half_value((code + SHORTEST_LENGTH) << 5), REASON_NONE, UNTOLD);
 }
 
 #endif

@@ -22,7 +22,7 @@ fn confidence(before: f32, now: f32) -> (f32, f32) {
     let irradiance = one_sample(4).map(|t| t.map(|v| v * now));
     let history = Image::new(EXTENT, [before; 4]);
     let luminance_history =
-        Image::new(EXTENT, LuminanceHistory { mean: before, deviation: before, history_length: 8.0, reason: 0 });
+        Image::new(EXTENT, LuminanceHistory { mean: before, deviation: before, history_length: 8.0, reason: 0, outside: None });
     let guides = HistoryGuides { guide: &guides.guide, surface_motion: &guides.surface_motion, previous_guide: &guides.guide };
     let percentiles =
         block_percentiles(&frame, &tuning, &BlockPercentilesInputs { guide: Some(guides.guide), irradiance: &irradiance });
@@ -57,7 +57,8 @@ fn only_the_test_sees_a_light_that_comes_on() {
 #[test]
 fn a_change_that_is_certain_but_small_is_not_worth_the_history() {
     let (frame, tuning, guides) = (frame(EXTENT), svgf_tuning(), guides(EXTENT, |_, _| surface(2.0)));
-    let luminance_history = Image::new(EXTENT, LuminanceHistory { mean: 1.0, deviation: 0.0, history_length: 8.0, reason: 0 });
+    let luminance_history =
+        Image::new(EXTENT, LuminanceHistory { mean: 1.0, deviation: 0.0, history_length: 8.0, reason: 0, outside: None });
     let history = Image::new(EXTENT, [1.0; 4]);
     let guides = HistoryGuides { guide: &guides.guide, surface_motion: &guides.surface_motion, previous_guide: &guides.guide };
     let confidence = |now: f32| {
@@ -113,7 +114,8 @@ fn light_without_noise_loses_the_history_of_what_changed() {
         })
     };
     let confidence = |noise: f32, past_noise: f32| {
-        let luminance_history = LuminanceHistory { mean: 1.0, deviation: past_noise, history_length: 8.0, reason: 0 };
+        let luminance_history =
+            LuminanceHistory { mean: 1.0, deviation: past_noise, history_length: 8.0, reason: 0, outside: None };
         let (history, luminance_history) = (shadow(16, 0.0), Image::new(EXTENT, luminance_history));
         let history = SignalHistory { irradiance: &history, luminance_history: &luminance_history };
         let guides = HistoryGuides { guide: &guides.guide, surface_motion: &guides.surface_motion, previous_guide: &guides.guide };
@@ -167,4 +169,28 @@ fn a_block_that_departs_alone_loses_its_history_sooner_where_it_became_darker() 
     let [brighter, darker] = confidence(1.3, 1.3, 64.0);
     assert!(brighter < 0.25 && darker < 0.25, "10.4 standard errors: {brighter}, {darker}");
     assert_eq!(confidence(3.0, 3.0, 4.0), [1.0, 1.0], "four pixels tell nothing of their noise");
+}
+
+/// Edges bend as noise does, and a look-up of the nearest pixel is half a pixel off.
+#[test]
+fn edges_that_were_looked_up_beside_their_place_are_no_noise() {
+    let (frame, tuning, guides) = (frame(EXTENT), svgf_tuning(), guides(EXTENT, |_, _| surface(2.0)));
+    let leaves = |shift: i32, noise: f32| {
+        let random = one_sample(11 + shift as u32);
+        paint(EXTENT, |x, y| {
+            let light = if ((x + shift + 2) / 4 + (y + 2) / 4) % 2 == 0 { 0.2 } else { 1.0 };
+            [light * (1.0 + noise * (random.at(glam::IVec2::new(x, y))[0].min(4.0) - 1.0)); 4]
+        })
+    };
+    let confidence = |noise: f32| {
+        let luminance_history = LuminanceHistory { mean: 0.6, history_length: 1.0, ..LuminanceHistory::default() };
+        let (history, luminance_history) = (leaves(0, noise), Image::new(EXTENT, luminance_history));
+        let history = SignalHistory { irradiance: &history, luminance_history: &luminance_history };
+        let guides = HistoryGuides { guide: &guides.guide, surface_motion: &guides.surface_motion, previous_guide: &guides.guide };
+        let irradiance = leaves(1, noise);
+        let difference = block_difference(&frame, &tuning, &BlockDifferenceInputs { guides, irradiance: &irradiance, history });
+        change_test(&frame, &tuning, EXTENT, &[&difference]).history_confidence.at(glam::IVec2::new(20, 20))
+    };
+    assert_eq!(confidence(0.0), 0.0);
+    assert_eq!(confidence(1.0), 1.0, "noise explains it");
 }

@@ -37,13 +37,17 @@ pub struct LuminanceHistory {
     pub history_length: f32,
     /// A [`Reason`] as a number.
     pub reason: u16,
+    /// Within a frame, of a history of one frame: how far its sample lies outside of its past, as a deviation. Where it is told,
+    /// `deviation` is 0.
+    pub(crate) outside: Option<f32>,
 }
 
 impl LuminanceHistory {
     /// As stages hand it on within a frame.
     pub(crate) fn in_halves(self) -> Self {
         let [mean, deviation, history_length] = [self.mean, self.deviation, self.history_length].map(store);
-        Self { mean, deviation, history_length, ..self }
+        let deviation = if self.outside.is_some() { 0.0 } else { deviation };
+        Self { mean, deviation, history_length, outside: self.outside.map(store), ..self }
     }
 }
 
@@ -66,6 +70,7 @@ fn from_upper_bits(bits: u32, dropped: u32) -> f32 {
 /// The texel `p` of `luminance_history*`. What is rounded decides how, with its pixel, and not the number of the frame. Of mean and
 /// deviation all but the lowest bits decide: two devices that differ by a step of a half mostly agree.
 pub(crate) fn pack_luminance_history(m: &LuminanceHistory, p: IVec2) -> u32 {
+    let m = &LuminanceHistory { deviation: if m.outside.is_some() { 0.0 } else { m.deviation }, outside: None, ..*m };
     let (pixel, new) = (p.x as u32 | (p.y as u32) << 16, new_luminance(m));
     let random = pcg(pixel.wrapping_add(pcg((new & 0xffe0_fff8).wrapping_add(half_bits(length_or_reason(m)).into()))));
     let code = match m.reason {
@@ -87,6 +92,7 @@ pub fn unpack_luminance_history(packed: u32) -> LuminanceHistory {
         deviation: from_upper_bits(packed >> 9 & 1023, 5),
         history_length,
         reason,
+        outside: None,
     }
 }
 
@@ -113,6 +119,9 @@ pub(crate) fn split_luminance_history(
     (accumulated, luminance_history.map(new_luminance))
 }
 
+/// How far a sample lies outside of its past is in the place of the deviation, negative and never 0.
+const LEAST_OUTSIDE: f32 = 1.0 / 16384.0;
+
 fn length_or_reason(m: &LuminanceHistory) -> f32 {
     match m.reason {
         0 => m.history_length,
@@ -121,7 +130,8 @@ fn length_or_reason(m: &LuminanceHistory) -> f32 {
 }
 
 fn new_luminance(m: &LuminanceHistory) -> u32 {
-    u32::from(half_bits(store(m.mean))) | u32::from(half_bits(store(m.deviation))) << 16
+    let second = m.outside.map_or(half_bits(store(m.deviation)), |outside| half_bits(-store(outside.max(LEAST_OUTSIDE))));
+    u32::from(half_bits(store(m.mean))) | u32::from(second) << 16
 }
 
 /// The opposite of [`split_luminance_history`].
@@ -129,8 +139,9 @@ pub(crate) fn join_luminance_history(accumulated: &Image<[f32; 4]>, new_luminanc
     Image::compute(accumulated.extent(), accumulated.extent(), |p| {
         let (alpha, packed) = (accumulated.at(p)[3], new_luminance.at(p));
         let (history_length, reason) = if alpha < 0.0 { (1.0, -alpha as u16) } else { (alpha, Reason::None as u16) };
-        let [mean, deviation] = [packed as u16, (packed >> 16) as u16].map(from_half_bits);
-        LuminanceHistory { mean, deviation, history_length, reason }
+        let [mean, second] = [packed as u16, (packed >> 16) as u16].map(from_half_bits);
+        let (deviation, outside) = if second < 0.0 { (0.0, Some(-second)) } else { (second, None) };
+        LuminanceHistory { mean, deviation, history_length, reason, outside }
     })
 }
 
@@ -148,7 +159,7 @@ mod tests {
     #[test]
     fn what_fits_survives_packing_in_every_pixel() {
         for history_length in [0.0, 0.5, 1.0, 17.0, 63.0, 256.0, 1024.0] {
-            let kept = LuminanceHistory { mean: 3.5, deviation: 0.25, history_length, reason: 0 };
+            let kept = LuminanceHistory { mean: 3.5, deviation: 0.25, history_length, reason: 0, outside: None };
             let lost = LuminanceHistory { history_length: 1.0, reason: Reason::Depth as u16, ..kept };
             assert!(packed(kept).all(|m| m == kept) && packed(lost).all(|m| m == lost));
         }
@@ -158,7 +169,7 @@ mod tests {
 
     #[test]
     fn small_steps_add_up_over_pixels() {
-        let m = LuminanceHistory { mean: 1.003, deviation: 0.111, history_length: 301.0, reason: 0 }.in_halves();
+        let m = LuminanceHistory { mean: 1.003, deviation: 0.111, history_length: 301.0, reason: 0, outside: None }.in_halves();
         let mean = |of: fn(LuminanceHistory) -> f32| packed(m).map(of).sum::<f32>() / 4096.0;
         let means = [mean(|m| m.mean), mean(|m| m.deviation), mean(|m| m.history_length)];
         for (given, [expected, step]) in means.into_iter().zip([[m.mean, 1.0 / 256.0], [m.deviation, 1.0 / 512.0], [301.0, 8.0]]) {
@@ -168,11 +179,25 @@ mod tests {
 
     #[test]
     fn moments_survive_the_way_from_stage_to_stage() {
-        let kept = LuminanceHistory { mean: 3.5, deviation: 0.25, history_length: 17.5, reason: 0 };
+        let kept = LuminanceHistory { mean: 3.5, deviation: 0.25, history_length: 17.5, reason: 0, outside: None };
         let lost = LuminanceHistory { history_length: 1.0, reason: Reason::Normal as u16, ..kept };
         let luminance_history = Image::from_texels([2, 1], vec![kept, lost]).expect("two texels");
         let (accumulated, new_luminance) = split_luminance_history(&Image::new([2, 1], [1.0, 2.0, 3.0, 9.0]), &luminance_history);
         assert_eq!(accumulated.texels(), [[1.0, 2.0, 3.0, 17.5], [1.0, 2.0, 3.0, -4.0]]);
         assert_eq!(join_luminance_history(&accumulated, &new_luminance), luminance_history);
+    }
+
+    #[test]
+    fn how_far_a_sample_lies_outside_of_its_past_lasts_for_a_frame() {
+        let of = |outside| LuminanceHistory { mean: 2.0, history_length: 1.0, outside, ..LuminanceHistory::default() };
+        let handed_on = |outside| {
+            let image = Image::new([1, 1], of(outside));
+            let (accumulated, new_luminance) = split_luminance_history(&Image::new([1, 1], [2.0; 4]), &image);
+            join_luminance_history(&accumulated, &new_luminance).texels()[0]
+        };
+        assert_eq!(handed_on(Some(0.75)), of(Some(0.75)));
+        assert_eq!(handed_on(Some(0.0)), of(Some(LEAST_OUTSIDE)), "told, and not 0");
+        assert_eq!(handed_on(None), of(None));
+        assert!(packed(of(Some(0.75))).all(|m| m == of(None)), "no deviation of the next frame's past");
     }
 }

@@ -1,6 +1,6 @@
 //! The stage `block_difference`: how far the light of a frame departs from its own history, block by block.
 
-use crate::reference::binary16::{from_half_bits, half_bits, LARGEST_HALF};
+use crate::reference::binary16::{from_half_bits, half_bits, round_to_half, LARGEST_HALF};
 use crate::reference::bindings::Bindings;
 use crate::reference::blocks::{allocated_blocks, Blocks};
 use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
@@ -34,6 +34,8 @@ pub(crate) struct Difference {
 pub(crate) const LOUD: f32 = 0.2;
 /// The largest share of the light that noise of the past is told as.
 pub(crate) const RARE: f32 = 1.5;
+/// A change is told from noise a little earlier than even noise would allow.
+const NOISE_THAT_HIDES: f32 = 0.7;
 const NOISE_STEPS: f32 = 31.0;
 const PAST_NOISE_STEPS: f32 = 15.0;
 
@@ -104,15 +106,37 @@ fn difference_of(pairs: &BTreeMap<(i32, i32), Pair>) -> Difference {
     let (now, before) = (mean(&|pair| pair.now), mean(&|pair| pair.before));
     let variance = mean(&|pair| (pair.now - pair.before - (now - before)).powi(2)) * (1.0 + mean(&|pair| pair.uncertainty));
     let brighter = now.max(before);
-    // Of white noise, a second difference has six times its variance. Without one, nothing is known of it.
+    // Of white noise, a second difference has six times its variance. Without one, nothing is known of it. An edge bends as noise does, and
+    // stays in the range of its past.
     let at = |y, x| pairs.get(&(y, x)).map(|pair| pair.now);
     let curves = pairs.keys().filter_map(|&(y, x)| Some(at(y - 1, x)? - 2.0 * at(y, x)? + at(y + 1, x)?));
     let (curved, curvature) = curves.fold((0.0, 0.0), |(count, sum), curve: f32| (count + 1.0, sum + curve * curve));
     let [noise, past_noise] = match curved > 0.0 && brighter > 0.0 {
-        true => [curvature / (6.0 * curved), mean(&|pair| pair.variance)].map(|variance: f32| variance.sqrt() / brighter),
+        true => {
+            let outside = NOISE_THAT_HIDES * pairs.keys().map(|at| outside_at(pairs, *at)).sum::<f32>() / pairs.len() as f32;
+            let noise = (curvature / (6.0 * curved)).min(outside);
+            [noise, mean(&|pair| pair.variance)].map(|variance: f32| variance.sqrt() / brighter)
+        }
         false => [LOUD, RARE],
     };
     Difference { mean: now - before, deviation: variance.sqrt(), count: pairs.len() as f32, brighter, noise, past_noise }
+}
+
+/// The luminance now, or before.
+type Side = fn(&Pair) -> f32;
+
+/// How far each side of a pixel lies outside of the range of the other there and beside it, in the same block, squared. Light that was
+/// resampled, and an edge that lies between two pixels, do not. Noise does: by its variance over n − ½, of n pixels.
+fn outside_at(pairs: &BTreeMap<(i32, i32), Pair>, (y, x): (i32, i32)) -> f32 {
+    let places = [(y, x), (y, x - 1), (y, x + 1), (y - 1, x), (y + 1, x)];
+    let beside: Vec<&Pair> = places.iter().filter_map(|at| pairs.get(at)).collect();
+    let outside = |value: f32, of: Side| {
+        let range = beside.iter().map(|pair| of(pair)).fold((f32::MAX, f32::MIN), |(least, most), x| (least.min(x), most.max(x)));
+        (value - range.1).max(range.0 - value).max(0.0)
+    };
+    let [now, before]: [Side; 2] = [|pair| round_to_half(pair.now), |pair| round_to_half(pair.before)];
+    let (now, before) = (outside(now(beside[0]), before), outside(before(beside[0]), now));
+    (beside.len() as f32 - 0.5) * 0.5 * (now * now + before * before)
 }
 
 /// A pixel whose position or depth lies on its threshold may count on one side alone.

@@ -249,9 +249,13 @@ impl Scene<'_> {
         let tuning = Tuning { alpha: tuning.alpha * scale, alpha_moments: tuning.alpha_moments * scale, ..tuning };
         let bounds = AlphaBounds::new(&tuning, confidence.is_some(), false, change);
         let deviation = (past.second_moment - past.mean * past.mean).max(0.0).sqrt();
-        let before =
-            LuminanceHistory { mean: best.origin + past.mean, deviation, history_length: past.frames, reason: Reason::None as u16 };
-        blend(self.frame, noisy, past.irradiance, &before, bounds, [1.0; 3])
+        let before = LuminanceHistory {
+            mean: best.origin + past.mean,
+            deviation,
+            history_length: past.frames,
+            ..LuminanceHistory::default()
+        };
+        blend(self.frame, noisy, past.irradiance, (&before, past.range), bounds, [1.0; 3])
     }
 }
 

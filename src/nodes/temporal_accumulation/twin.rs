@@ -23,7 +23,7 @@ mod tests;
 mod volume;
 
 pub(crate) use adapter::{twin, RULES};
-pub(crate) use blend::{blend, fresh, AlphaBounds};
+pub(crate) use blend::{blend, fresh, range_of, AlphaBounds};
 pub(crate) use taps::{cubic_taps, SMALLEST_WEIGHT_SUM};
 pub(crate) use volume::{volume_accumulation, VolumeAccumulationInputs};
 
@@ -361,7 +361,8 @@ fn accumulate(
         irradiance = [0, 1, 2].map(|i| cubic.iter().map(|(q, weight)| weight * signal.irradiance.at(*q)[i]).sum());
     }
     let before = LuminanceHistory { history_length: (before.history_length * likeness).min(longest), ..before };
-    blend(frame, c, irradiance, &before, bounds, ratio)
+    let means = taps.iter().filter(|tap| tap.1 > 0.0).map(|(q, _)| signal.luminance_history.at(*q).mean);
+    blend(frame, c, irradiance, (&before, range_of(means)), bounds, ratio)
 }
 
 /// The weighted mean of irradiance and of μ1, σ² + μ1² and N. The second moment is taken about the mean, which is the same and does
@@ -382,5 +383,5 @@ fn weighted_history(taps: &[(IVec2, f32); 9], signal: &SignalHistory) -> ([f32; 
             * (luminance_history.deviation * luminance_history.deviation
                 + (luminance_history.mean - mean) * (luminance_history.mean - mean));
     }
-    (irradiance, LuminanceHistory { mean, deviation: variance.sqrt(), history_length, reason: 0 })
+    (irradiance, LuminanceHistory { mean, deviation: variance.sqrt(), history_length, ..LuminanceHistory::default() })
 }

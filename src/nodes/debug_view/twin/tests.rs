@@ -39,7 +39,8 @@ fn view(view: DebugView, luminance_history: &LuminanceHistory, statistics: &Stat
 
 #[test]
 fn alpha_holds_the_number_and_the_background_is_black() {
-    let luminance_history = LuminanceHistory { mean: 1.0, deviation: 0.5, history_length: 4.0, reason: Reason::Depth as u16 };
+    let luminance_history =
+        LuminanceHistory { mean: 1.0, deviation: 0.5, history_length: 4.0, reason: Reason::Depth as u16, outside: None };
     for (shown, number) in [
         (DebugView::HistoryLength, 4.0),
         (DebugView::MeanAndDeviation, 1.0),
@@ -87,7 +88,8 @@ fn assert_near(given: [f32; 3], wanted: [f32; 3], what: &str) {
 #[test]
 fn the_legend_has_the_colours_of_the_picture() {
     let guides = guides(EXTENT, |_, _| surface(1.0));
-    let luminance_history = LuminanceHistory { mean: 1.0, deviation: 9.0, history_length: 2.0, reason: Reason::Normal as u16 };
+    let luminance_history =
+        LuminanceHistory { mean: 1.0, deviation: 9.0, history_length: 2.0, reason: Reason::Normal as u16, outside: None };
     let of = |history_length| Image::new(EXTENT, LuminanceHistory { history_length, ..luminance_history });
     let (two, eight) = (of(2.0), of(8.0));
     let deviation = Image::new(EXTENT, [0.0, 0.0, 0.0, 0.25]);

@@ -3,7 +3,7 @@
 use super::agreement::{AGREES, AGREES_WIDEST};
 use super::evidence::{CHANCE_AT_FIRST, UNLIKELY};
 use super::{Centre, Scene};
-use crate::nodes::temporal_accumulation::twin::{cubic_taps, SMALLEST_WEIGHT_SUM};
+use crate::nodes::temporal_accumulation::twin::{cubic_taps, range_of, SMALLEST_WEIGHT_SUM};
 use crate::reference::binary16::{signed_half_range, LARGEST_HALF};
 use crate::reference::forward_projection::previous_world_position;
 use crate::reference::luminance::texel_luminance;
@@ -28,6 +28,8 @@ const BLURRED_ANYWAY: f32 = 2.5;
 
 /// Of a pixel, to which a position is rounded before 4×4 taps are looked up: which of them count is then no matter of the last bit.
 const LOOKUP_STEPS: f32 = 256.0;
+/// Nor is then which of 2×2 taps are in the range of a past.
+const LEAST_IN_RANGE: f32 = 0.5 / LOOKUP_STEPS;
 
 /// Depths to a thing whose hit distance nobody knows: what is far away, or in a curved mirror, is seen next to where this is.
 const UNKNOWN_REACH: f32 = 1e4;
@@ -41,7 +43,7 @@ const OWN_DIFFERENCE: f32 = 0.35;
 const NOISE_OF_PAST: f32 = 2.0;
 
 /// Mean of what the tested taps hold.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Copy)]
 pub(super) struct Past {
     /// Frames that it is worth.
     pub frames: f32,
@@ -56,6 +58,24 @@ pub(super) struct Past {
     /// Of luminance about the origin of the pixel: the difference of squares would cancel otherwise.
     pub mean: f32,
     pub second_moment: f32,
+    /// The least and the greatest luminance of its taps.
+    pub range: [f32; 2],
+}
+
+impl Default for Past {
+    fn default() -> Self {
+        Self {
+            frames: 0.0,
+            nearness: 0.0,
+            reach: 0.0,
+            roughness: 0.0,
+            image_share: 0.0,
+            irradiance: [0.0; 3],
+            mean: 0.0,
+            second_moment: 0.0,
+            range: range_of(std::iter::empty()),
+        }
+    }
 }
 
 /// The past that a pixel is blended with.
@@ -80,6 +100,7 @@ impl Past {
         (0..3).for_each(|i| self.irradiance[i] += weight * tap.irradiance[i]);
         self.mean += weight * tap.mean;
         self.second_moment += weight * tap.second_moment;
+        self.range = [self.range[0].min(tap.range[0]), self.range[1].max(tap.range[1])];
     }
 
     fn blend(&self, other: &Self, share: f32) -> Self {
@@ -272,7 +293,9 @@ impl Scene<'_> {
             let weight = (if x == 0 { 1.0 - f.x } else { f.x }) * (if y == 0 { 1.0 - f.y } else { f.y });
             if weight > 0.0 && c.reprojected.is_on_plane(&self.previous_surfaces, q) {
                 let likeness = if self.inputs.is_sharp { c.reprojected.likeness(&self.previous_surfaces.at(q)) } else { 1.0 };
-                sum.add(&self.tap(c, q), weight * likeness);
+                let tap = self.tap(c, q);
+                let range = if weight >= LEAST_IN_RANGE { tap.range } else { sum.range };
+                sum.add(&Past { range, ..tap }, weight * likeness);
                 whole += weight;
                 weights += weight * likeness;
             }
@@ -299,6 +322,7 @@ impl Scene<'_> {
             irradiance: [r, g, b],
             mean,
             second_moment: luminance_history.deviation * luminance_history.deviation + mean * mean,
+            range: [luminance_history.mean; 2],
         }
     }
 

@@ -42,7 +42,7 @@ impl Wall {
         let motion = pack_surface_motion([step * FOCAL / WALL, 0.0], Some((0.0, [0.0, 0.0, 1.0])));
         guides.surface_motion = Image::new(EXTENT, motion);
         // So noisy that no light disagrees.
-        let luminance_history = LuminanceHistory { mean: 4.0, deviation: 1000.0, history_length: 1000.0, reason: 0 };
+        let luminance_history = LuminanceHistory { mean: 4.0, deviation: 1000.0, history_length: 1000.0, reason: 0, outside: None };
         Self {
             frame: frame_with(&Config::new(EXTENT), &cameras[0], &cameras[1]),
             guides,
@@ -200,7 +200,7 @@ fn another_thing_in_the_mirror_or_another_finish_drops_the_past() {
 fn light_that_is_not_that_of_the_past_drops_it() {
     let length = |deviation, noisy: &dyn Fn(i32, i32) -> f32| {
         let mut wall = Wall::new(0.0, 4.0, 0.0);
-        let luminance_history = LuminanceHistory { mean: 0.25, deviation, history_length: 1000.0, reason: 0 };
+        let luminance_history = LuminanceHistory { mean: 0.25, deviation, history_length: 1000.0, reason: 0, outside: None };
         (wall.history, wall.luminance_history) = (Image::new(EXTENT, [0.25; 4]), Image::new(EXTENT, luminance_history));
         // One channel tells it.
         wall.noisy = paint(EXTENT, |x, y| [0.25, 0.25, noisy(x, y), 4.0]);
@@ -219,7 +219,7 @@ fn light_that_is_not_that_of_the_past_drops_it() {
 /// Frames of the past that counts, of a wall whose hit distance and finish nobody knows: `before` and `now` are its light.
 fn of_unknown_light(step: f32, deviation: f32, before: impl Fn(i32) -> f32, now: impl Fn(i32) -> f32) -> (f32, Option<f32>) {
     let mut wall = Wall { roughness: None, ..Wall::new(step, 0.0, 0.0) };
-    let luminance_history = |mean| LuminanceHistory { mean, deviation, history_length: 100.0, reason: 0 };
+    let luminance_history = |mean| LuminanceHistory { mean, deviation, history_length: 100.0, reason: 0, outside: None };
     wall.history = paint(EXTENT, |x, _| [before(x); 4]);
     wall.luminance_history = paint(EXTENT, |x, _| luminance_history(before(x)));
     wall.noisy = paint(EXTENT, |x, y| {
@@ -264,7 +264,7 @@ fn the_noise_of_pasts_does_not_tell_what_is_seen() {
         let mut wall = Wall { roughness: None, ..Wall::new(STEP, 0.0, 0.0) };
         wall.history = noise(EXTENT, 7).map(|texel| texel.map(|x| 0.5 + (x - 0.5) / 8.0_f32.sqrt()));
         wall.noisy = noise(EXTENT, 8).map(|&[r, g, b, _]| [r, g, b, 0.0]);
-        let luminance_history = LuminanceHistory { mean: 0.5, deviation: 0.3, history_length: frames, reason: 0 };
+        let luminance_history = LuminanceHistory { mean: 0.5, deviation: 0.3, history_length: frames, reason: 0, outside: None };
         wall.luminance_history = Image::new(EXTENT, luminance_history);
         let reflection = wall.run().reflection;
         let pixels = (4..20).flat_map(|x| (4..12).map(move |y| IVec2::new(x, y)));
@@ -460,7 +460,8 @@ fn the_other_side_of_an_outline_is_chance_within_the_noise_of_the_past() {
         let mut wall = Wall::new(0.0, 4.0, 0.1);
         wall.reflection = Image::new(EXTENT, pack_reflection(&SeenReflection { hit_distance: 1.0, roughness: 0.1 }, None));
         wall.history = Image::new(EXTENT, [4.0; 4]);
-        wall.luminance_history = Image::new(EXTENT, LuminanceHistory { mean: 4.0, deviation, history_length: 1000.0, reason: 0 });
+        wall.luminance_history =
+            Image::new(EXTENT, LuminanceHistory { mean: 4.0, deviation, history_length: 1000.0, reason: 0, outside: None });
         wall.noisy = paint(EXTENT, |x, y| match x {
             16.. => [8.0, 8.0, 8.0, 1.0],
             15 if y == 8 => [light, light, light, 4.0],

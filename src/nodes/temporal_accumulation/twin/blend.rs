@@ -34,19 +34,31 @@ fn adapted(alpha: f32, change: f32) -> f32 {
     alpha + change * (1.0 - alpha)
 }
 
+/// The least and the greatest.
+pub(crate) fn range_of(values: impl Iterator<Item = f32>) -> [f32; 2] {
+    values.fold([LARGEST_HALF, 0.0], |[least, most], value| [least.min(value), most.max(value)])
+}
+
 /// A pixel without a past; one without a sample either has none for the next frame.
 pub(crate) fn fresh(c: [f32; 4], reason: Reason) -> ([f32; 4], LuminanceHistory) {
     let (history_length, reason) = if sample_worth(c) > 0.0 { (1.0, reason) } else { (0.0, Reason::None) };
-    let luminance_history = LuminanceHistory { mean: texel_luminance(c), deviation: 0.0, history_length, reason: reason as u16 };
+    let luminance_history =
+        LuminanceHistory { mean: texel_luminance(c), deviation: 0.0, history_length, reason: reason as u16, outside: None };
     ([store(c[0]), store(c[1]), store(c[2]), 0.0], luminance_history)
 }
 
-/// Irradiance `c` with its past: irradiance and moments, of which `ratio` says by how much light is brighter now.
+/// Up to here, a history is one of this frame alone.
+const ONE_FRAME: f32 = 1.5;
+
+/// Even noise lies outside of four samples of itself by this part of its deviation.
+const OUTSIDE_OF_FOUR: f32 = 0.535;
+
+/// Irradiance `c` with its past: irradiance, moments and the range of luminance of its pixels, of which `ratio` says by how much light is brighter now.
 pub(crate) fn blend(
     frame: &FrameConstants,
     c: [f32; 4],
     past: [f32; 3],
-    before: &LuminanceHistory,
+    (before, range): (&LuminanceHistory, [f32; 2]),
     bounds: AlphaBounds,
     ratio: [f32; 3],
 ) -> ([f32; 4], LuminanceHistory) {
@@ -65,8 +77,14 @@ pub(crate) fn blend(
         store_signed(if alpha < 1.0 { before + alpha * (c[i] - before) } else { c[i] })
     });
     let (mean, deviation) = (scaled(before.mean), scaled(before.deviation));
-    let difference = texel_luminance(c) - mean;
+    let now = texel_luminance(c);
+    let difference = now - mean;
+    // A past that moved was resampled: what lies between its pixels is no noise.
+    let outside = (now - scaled(range[1])).max(scaled(range[0]) - now).max(0.0) / OUTSIDE_OF_FOUR;
+    let outside = (worth > 0.0 && history_length < ONE_FRAME).then_some(outside);
     let variance = (1.0 - alpha_moments) * (deviation * deviation + alpha_moments * difference * difference);
     let mean = mean + alpha_moments * difference;
-    ([r, g, b, 0.0], LuminanceHistory { mean, deviation: variance.sqrt(), history_length, reason: Reason::None as u16 })
+    let luminance_history =
+        LuminanceHistory { mean, deviation: variance.sqrt(), history_length, reason: Reason::None as u16, outside };
+    ([r, g, b, 0.0], luminance_history)
 }

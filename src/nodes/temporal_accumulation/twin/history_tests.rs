@@ -45,8 +45,13 @@ impl Scene {
     fn centre(&self) -> (f32, LuminanceHistory) {
         let tuning = Tuning { alpha: 0.0, alpha_moments: 0.0, max_history_length: 1024.0, ..svgf_tuning() };
         let columns = paint(EXTENT, |x, _| [x as f32, x as f32, x as f32, 0.0]);
-        let luminance_history =
-            paint(EXTENT, |x, y| LuminanceHistory { mean: x as f32, deviation: 0.5, history_length: 1000.0 + y as f32, reason: 1 });
+        let luminance_history = paint(EXTENT, |x, y| LuminanceHistory {
+            mean: x as f32,
+            deviation: 0.5,
+            history_length: 1000.0 + y as f32,
+            reason: 1,
+            outside: None,
+        });
         let new = Image::new(EXTENT, [NEW, NEW, NEW, 0.0]);
         let guides = Guides {
             guide: Image::new(EXTENT, pack_guide(&Surface { gradient: self.gradient, ..self.now })),

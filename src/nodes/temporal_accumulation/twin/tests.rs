@@ -83,7 +83,7 @@ fn alpha_zero_is_the_running_mean_and_the_sample_variance() {
 #[test]
 fn alpha_bounds_the_weight_of_a_new_sample() {
     let guides = flat(EXTENT);
-    let luminance_history = LuminanceHistory { mean: 1.0, deviation: 0.5, history_length: 100.0, reason: 0 };
+    let luminance_history = LuminanceHistory { mean: 1.0, deviation: 0.5, history_length: 100.0, reason: 0, outside: None };
     let previous = TemporalAccumulationOutputs {
         irradiance: vec![grey(EXTENT, 1.0)],
         luminance_history: vec![Image::new(EXTENT, luminance_history)],
@@ -101,6 +101,28 @@ fn alpha_bounds_the_weight_of_a_new_sample() {
     let output = tuned(&frame, &capped, &guides, &grey(EXTENT, 3.0), Some(&previous));
     assert_eq!(output.irradiance[0].texels()[7][0], 1.5);
     assert_eq!(output.luminance_history[0].texels()[7].history_length, 4.0);
+}
+
+#[test]
+fn a_history_of_one_frame_tells_how_far_its_sample_lies_outside_of_its_past() {
+    let guides = flat(EXTENT);
+    let luminance_history = LuminanceHistory { mean: 1.0, deviation: 0.5, history_length: 8.0, ..LuminanceHistory::default() };
+    let previous = TemporalAccumulationOutputs {
+        irradiance: vec![grey(EXTENT, 1.0)],
+        luminance_history: vec![Image::new(EXTENT, luminance_history)],
+        statistics: Statistics::default(),
+    };
+    let of = |max_history_length: f32, now: f32, previous: Option<&TemporalAccumulationOutputs>| {
+        let tuning = Tuning { max_history_length, ..svgf_tuning() };
+        tuned(&frame(EXTENT), &tuning, &guides, &grey(EXTENT, now), previous).luminance_history[0].texels()[7]
+    };
+    let outside = of(1.0, 3.0, Some(&previous)).outside.expect("one frame");
+    // Of even noise, 2 beside four samples are what a deviation of 2/0.535 gives.
+    assert!((outside - 2.0 / 0.535).abs() < 5e-3, "{outside}");
+    assert_eq!(of(1.0, 3.0, Some(&previous)).deviation, 0.0);
+    assert_eq!(of(1.0, 1.0, Some(&previous)).outside, Some(0.0));
+    assert_eq!(of(2.0, 3.0, Some(&previous)).outside, None, "two frames have a deviation");
+    assert_eq!(of(1.0, 3.0, None).outside, None, "without a past");
 }
 
 #[test]
@@ -145,7 +167,7 @@ fn a_reset_frame_is_a_first_frame_and_reads_nothing() {
         irradiance: vec![Image::new(EXTENT, [f32::NAN; 4])],
         luminance_history: vec![Image::new(
             EXTENT,
-            LuminanceHistory { mean: f32::NAN, deviation: f32::NAN, history_length: f32::NAN, reason: 0 },
+            LuminanceHistory { mean: f32::NAN, deviation: f32::NAN, history_length: f32::NAN, reason: 0, outside: None },
         )],
         statistics: Statistics::default(),
     };
@@ -194,7 +216,7 @@ fn neither_parity_nor_the_allocation_changes_a_bit() {
 #[test]
 fn a_hole_keeps_its_history_and_a_filled_one_counts_for_less() {
     let guides = flat(EXTENT);
-    let luminance_history = LuminanceHistory { mean: 1.0, deviation: 0.5, history_length: 4.0, reason: 0 };
+    let luminance_history = LuminanceHistory { mean: 1.0, deviation: 0.5, history_length: 4.0, reason: 0, outside: None };
     let signal = (grey(EXTENT, 1.0), Image::new(EXTENT, luminance_history));
     let signals = [SignalHistory { irradiance: &signal.0, luminance_history: &signal.1 }; 2];
     let [sample, filled] = [0.0, HOLE].map(|alpha| Image::new(EXTENT, [3.0, 3.0, 3.0, alpha]));
@@ -223,7 +245,7 @@ fn a_hole_keeps_its_history_and_a_filled_one_counts_for_less() {
 #[test]
 fn a_hole_that_nothing_fills_keeps_its_history_and_is_none() {
     let guides = flat(EXTENT);
-    let luminance_history = LuminanceHistory { mean: 1.0, deviation: 0.5, history_length: 4.0, reason: 0 };
+    let luminance_history = LuminanceHistory { mean: 1.0, deviation: 0.5, history_length: 4.0, reason: 0, outside: None };
     let signal = (grey(EXTENT, 1.0), Image::new(EXTENT, luminance_history));
     let signals = [SignalHistory { irradiance: &signal.0, luminance_history: &signal.1 }];
     let (empty, sample) = (Image::new(EXTENT, [0.0, 0.0, 0.0, EMPTY_HOLE]), grey(EXTENT, 3.0));

@@ -25,6 +25,9 @@ const BEND_OF_NOISE: f32 = 6.0;
 /// The least weight of all bends together that tell something: on a small ball the normals of three pixels differ, and its shading is no noise.
 const LEAST_BENDS: f32 = 0.05;
 
+/// Samples vary by no more than so many times their variance against their own pasts.
+const MOST_OF_PAST: f32 = 2.0;
+
 /// Shares of a spread of logarithms that bends as noise does: up to the first it is an edge, a texture or a highlight that no guide knows,
 /// from the second on it is noise.
 const STRUCTURE: f32 = 0.6;
@@ -54,6 +57,8 @@ struct Surroundings {
     error: f32,
     /// Variance of the logarithms of means that bends.
     log_noise: f32,
+    /// Variance of the samples against their own pasts.
+    past: f32,
     /// Few pixels have its light.
     rare: bool,
 }
@@ -83,11 +88,14 @@ pub(super) fn deviation_of_mean(
     let mean_at = |q: IVec2| luminance_history.at(q).mean;
     let noise = around.noise.min(noise_of(rect, geometry, &mean_at, p).unwrap_or(f32::INFINITY));
     let white = Whiteness::new(rect, geometry, &mean_at, p);
-    let within = around.within * white.counted;
+    let centre = luminance_history.at(p);
+    let told = if centre.outside.is_some() { (MOST_OF_PAST * around.past / noise.max(1e-20)).min(1.0) } else { 1.0 };
+    let (counted, whole) = (white.counted * told, white.whole * told);
+    let within = around.within * counted;
     deviation(
         tuning,
-        luminance_history.at(p),
-        Surroundings { within, noise: noise * white.counted, seen: noise * white.whole, log_noise: white.log_noise, ..around },
+        centre,
+        Surroundings { within, noise: noise * counted, seen: noise * whole, log_noise: white.log_noise, ..around },
     )
 }
 
@@ -163,13 +171,15 @@ fn surroundings(
         rect.window(p, FADING_RADIUS, 1).map(|(_, q)| (geometry.weight(p, q), luminance_history.at(q))).collect();
     let sum: f32 = window.iter().map(|(weight, _)| weight).sum();
     let mean_of = |value: &dyn Fn(&LuminanceHistory) -> f32| window.iter().map(|(weight, m)| weight * value(m)).sum::<f32>() / sum;
-    let within = mean_of(&|m| m.deviation * m.deviation);
+    let past = mean_of(&|m| m.outside.unwrap_or(m.deviation).powi(2));
+    // The mean of one frame is its sample: what it varies by is seen in its neighbours already.
+    let within = if luminance_history.at(p).outside.is_some() { 0.0 } else { past };
     let mean = mean_of(&|m| m.mean);
     let spread = mean_of(&|m| (m.mean - mean).powi(2));
     let kurtosis = mean_of(&|m| (m.mean - mean).powi(4)) / (spread * spread).max(1e-36);
     let error = ((kurtosis - 1.0).max(0.0) / sum).sqrt();
     let rare = few_have_it(window.iter().map(|(weight, m)| (*weight, m.mean)));
-    Surroundings { within, noise: spread, seen: spread, error, log_noise: 0.0, rare }
+    Surroundings { within, noise: spread, seen: spread, error, log_noise: 0.0, past, rare }
 }
 
 /// Variance that bends, by the squared second differences of neighbours along x and y, all of the surface of the centre; none where there

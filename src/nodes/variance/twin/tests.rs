@@ -16,7 +16,7 @@ fn deviations(frame: &FrameConstants, guides: &Guides, luminance_history: &Image
 }
 
 fn of(mean: f32, deviation: f32, history_length: f32) -> LuminanceHistory {
-    LuminanceHistory { mean, deviation, history_length, reason: 0 }
+    LuminanceHistory { mean, deviation, history_length, reason: 0, outside: None }
 }
 
 fn centre(image: &Image<f32>) -> f32 {

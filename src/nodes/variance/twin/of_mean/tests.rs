@@ -23,7 +23,7 @@ fn flat() -> Guides {
 }
 
 fn of(mean: f32, deviation: f32, history_length: f32) -> LuminanceHistory {
-    LuminanceHistory { mean, deviation, history_length, reason: 0 }
+    LuminanceHistory { mean, deviation, history_length, reason: 0, outside: None }
 }
 
 /// Of a pixel of the row 24.
@@ -99,6 +99,18 @@ fn an_edge_that_no_guide_knows_is_little_noise_in_the_first_frame() {
     // Noise of the same spread counts in full.
     let grain = noise(EXTENT, 5).map(|t| of(0.75 + step * (t[0] - 0.5), 0.0, 1.0));
     assert!(root_mean_square(&deviations(&flat(), &grain)) > 0.9 * UNIFORM * step);
+}
+
+#[test]
+fn a_sample_within_its_past_is_little_noise() {
+    let grain = |outside| noise(EXTENT, 5).map(|t| LuminanceHistory { outside, ..of(0.5 + t[0], 0.0, 1.0) });
+    let seen = |outside| root_mean_square(&deviations(&flat(), &grain(outside)));
+    // A picture that no guide knows, of which each pixel was as bright before, there or beside it.
+    assert!(seen(Some(0.0)) < 1e-3 * UNIFORM, "{}", seen(Some(0.0)));
+    let part = 0.1 * UNIFORM;
+    assert!((1.0..2.0).contains(&(seen(Some(part)) / part)), "{}", seen(Some(part)) / part);
+    // Noise lies as far outside of its past as it varies.
+    assert_eq!(seen(Some(UNIFORM)), root_mean_square(&deviations(&flat(), &noise(EXTENT, 5).map(|t| of(0.5 + t[0], 0.0, 1.0)))));
 }
 
 /// A highlight of a few pixels, 200 times as bright as the surface.
