@@ -49,7 +49,7 @@ LuminanceHistory first_luminance(vec3 irradiance, float worth, uint reason) {
 }
 
 // Up to here, a history is one of this frame alone.
-const float ONE_FRAME = 1.5;
+const float ONE_FRAME = 1.05;
 // Even noise lies outside of four samples of itself by this part of its deviation.
 const float OUTSIDE_OF_FOUR = 0.535;
 

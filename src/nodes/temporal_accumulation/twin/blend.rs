@@ -48,7 +48,7 @@ pub(crate) fn fresh(c: [f32; 4], reason: Reason) -> ([f32; 4], LuminanceHistory)
 }
 
 /// Up to here, a history is one of this frame alone.
-const ONE_FRAME: f32 = 1.5;
+const ONE_FRAME: f32 = 1.05;
 
 /// Even noise lies outside of four samples of itself by this part of its deviation.
 const OUTSIDE_OF_FOUR: f32 = 0.535;
