@@ -193,9 +193,6 @@ void sharpen(inout Gathered sum, ivec2 corner, vec2 f, Expected expected) {
     for (int i = 0; i < SIGNALS; ++i) sum.signals[i].irradiance = sum.weight * irradiance[i];
 }
 
-// A tap of less is left out: whether it is in the range of a past is then no matter of the last bit of a motion.
-const float LEAST_WEIGHT = 1.0 / 4096.0;
-
 // The tested 2x2 taps; where they carry nothing, 3x3 around the nearest pixel.
 Gathered gather(vec2 position, Expected expected) {
     Gathered sum = nothing();
@@ -205,7 +202,7 @@ Gathered gather(vec2 position, Expected expected) {
         ivec2 offset = ivec2(i & 1, i >> 1);
         ivec2 tap = ivec2(corner) + offset;
         float weight = (offset.x == 1 ? f.x : 1.0 - f.x) * (offset.y == 1 ? f.y : 1.0 - f.y);
-        if (weight >= LEAST_WEIGHT && refusal(tap, expected, 0.0) == REASON_NONE) add_tap(sum, tap, expected, weight);
+        if (weight > 0.0 && refusal(tap, expected, 0.0) == REASON_NONE) add_tap(sum, tap, expected, weight);
     }
     if (SHARP && !VOLUME && sum.whole > WHOLE_WEIGHT && f != vec2(0.0)) sharpen(sum, ivec2(corner), f, expected);
     if (whole_of(sum) >= SMALLEST_WEIGHT_SUM) return sum;

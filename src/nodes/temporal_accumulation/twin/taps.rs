@@ -6,9 +6,6 @@ use glam::{IVec2, Vec2};
 /// Smallest sum of bilinear weights that the 2×2 taps are trusted with.
 pub(crate) const SMALLEST_WEIGHT_SUM: f32 = 0.01;
 
-/// A tap of less is left out: whether it is in the range of a past is then no matter of the last bit of a motion.
-const LEAST_WEIGHT: f32 = 1.0 / 4096.0;
-
 /// The pixel nearest to a position; pixel centres are whole numbers.
 pub(super) fn nearest(s: Vec2) -> IVec2 {
     (s + 0.5).floor().as_ivec2()
@@ -57,7 +54,7 @@ fn valid(candidates: &[(IVec2, f32)], refusal: impl Fn(IVec2) -> Reason) -> Opti
     let mut taps = [(IVec2::ZERO, 0.0); 9];
     let mut sum = 0.0;
     for (tap, &(q, weight)) in taps.iter_mut().zip(candidates) {
-        if weight >= LEAST_WEIGHT && refusal(q) == Reason::None {
+        if refusal(q) == Reason::None {
             *tap = (q, weight);
             sum += weight;
         }
