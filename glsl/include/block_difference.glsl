@@ -88,7 +88,7 @@ float outside_at(uint x, uint y) {
 void write_block_difference() {
     uint i = gl_LocalInvocationIndex;
     ivec2 top = ivec2(gl_GlobalInvocationID.x, gl_WorkGroupID.y * uint(BLOCK_SIZE));
-    // Columns, then the sums of a block's columns: the order is fixed, and one barrier does.
+    // Columns, what lies outside of pixels beside it, then the sums of a block's columns: the order is fixed.
     Sums sum = sums_of(top), above = NONE, middle = sum;
     both[i] = both_of(sum);
     for (int y = 1; y < BLOCK_SIZE; ++y) {

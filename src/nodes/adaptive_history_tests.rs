@@ -16,20 +16,26 @@ fn one_sample(seed: u32) -> Image<[f32; 4]> {
     noise(EXTENT, seed).map(|t| if t[0] < 0.7 { [0.0; 4] } else { [(t[0] - 0.7) / 0.045; 4] })
 }
 
+/// What the test says of light on a wall that stands still.
+fn tested(irradiance: &Image<[f32; 4]>, history: &Image<[f32; 4]>, past: LuminanceHistory) -> Image<f32> {
+    let (frame, tuning, guides) = (frame(EXTENT), svgf_tuning(), guides(EXTENT, |_, _| surface(2.0)));
+    let guides = HistoryGuides { guide: &guides.guide, surface_motion: &guides.surface_motion, previous_guide: &guides.guide };
+    let history = SignalHistory { irradiance: history, luminance_history: &Image::new(EXTENT, past) };
+    let difference = block_difference(&frame, &tuning, &BlockDifferenceInputs { guides, irradiance, history });
+    change_test(&frame, &tuning, EXTENT, &[&difference]).history_confidence
+}
+
 /// Mean confidence of both rules (published, test) where the light goes from `before` to `now`.
 fn confidence(before: f32, now: f32) -> (f32, f32) {
     let (frame, tuning, guides) = (frame(EXTENT), svgf_tuning(), guides(EXTENT, |_, _| surface(2.0)));
     let irradiance = one_sample(4).map(|t| t.map(|v| v * now));
     let history = Image::new(EXTENT, [before; 4]);
-    let luminance_history =
-        Image::new(EXTENT, LuminanceHistory { mean: before, deviation: before, history_length: 8.0, reason: 0, outside: None });
+    let past = LuminanceHistory { mean: before, deviation: before, history_length: 8.0, ..LuminanceHistory::default() };
     let guides = HistoryGuides { guide: &guides.guide, surface_motion: &guides.surface_motion, previous_guide: &guides.guide };
     let percentiles =
         block_percentiles(&frame, &tuning, &BlockPercentilesInputs { guide: Some(guides.guide), irradiance: &irradiance });
     let published = percentile_rule(&frame, &tuning, &PercentileRuleInputs { guides, signals: &[(&percentiles, &history)] });
-    let history = SignalHistory { irradiance: &history, luminance_history: &luminance_history };
-    let difference = block_difference(&frame, &tuning, &BlockDifferenceInputs { guides, irradiance: &irradiance, history });
-    let test = change_test(&frame, &tuning, EXTENT, &[&difference]).history_confidence;
+    let test = tested(&irradiance, &history, past);
     let mean = |image: &Image<f32>| image.texels().iter().sum::<f32>() / image.texels().len() as f32;
     (mean(&published), mean(&test))
 }
@@ -56,17 +62,8 @@ fn only_the_test_sees_a_light_that_comes_on() {
 
 #[test]
 fn a_change_that_is_certain_but_small_is_not_worth_the_history() {
-    let (frame, tuning, guides) = (frame(EXTENT), svgf_tuning(), guides(EXTENT, |_, _| surface(2.0)));
-    let luminance_history =
-        Image::new(EXTENT, LuminanceHistory { mean: 1.0, deviation: 0.0, history_length: 8.0, reason: 0, outside: None });
-    let history = Image::new(EXTENT, [1.0; 4]);
-    let guides = HistoryGuides { guide: &guides.guide, surface_motion: &guides.surface_motion, previous_guide: &guides.guide };
-    let confidence = |now: f32| {
-        let history = SignalHistory { irradiance: &history, luminance_history: &luminance_history };
-        let irradiance = Image::new(EXTENT, [now; 4]);
-        let difference = block_difference(&frame, &tuning, &BlockDifferenceInputs { guides, irradiance: &irradiance, history });
-        change_test(&frame, &tuning, EXTENT, &[&difference]).history_confidence.texels()[700]
-    };
+    let past = LuminanceHistory { mean: 1.0, history_length: 8.0, ..LuminanceHistory::default() };
+    let confidence = |now: f32| tested(&Image::new(EXTENT, [now; 4]), &Image::new(EXTENT, [1.0; 4]), past).texels()[700];
     assert_eq!(confidence(1.02), 1.0);
     assert!(confidence(1.1) < 0.01);
 }
@@ -105,7 +102,6 @@ fn blocks_are_steady_where_neither_their_mean_nor_one_of_them_departs() {
 /// A shadow that moves by two pixels a frame takes from one side of its block what it gives to the other.
 #[test]
 fn light_without_noise_loses_the_history_of_what_changed() {
-    let (frame, tuning, guides) = (frame(EXTENT), svgf_tuning(), guides(EXTENT, |_, _| surface(2.0)));
     let shadow = |at: i32, noise: f32| {
         let random = one_sample(7 + at as u32);
         paint(EXTENT, |x, y| {
@@ -114,14 +110,8 @@ fn light_without_noise_loses_the_history_of_what_changed() {
         })
     };
     let confidence = |noise: f32, past_noise: f32| {
-        let luminance_history =
-            LuminanceHistory { mean: 1.0, deviation: past_noise, history_length: 8.0, reason: 0, outside: None };
-        let (history, luminance_history) = (shadow(16, 0.0), Image::new(EXTENT, luminance_history));
-        let history = SignalHistory { irradiance: &history, luminance_history: &luminance_history };
-        let guides = HistoryGuides { guide: &guides.guide, surface_motion: &guides.surface_motion, previous_guide: &guides.guide };
-        let irradiance = shadow(18, noise);
-        let difference = block_difference(&frame, &tuning, &BlockDifferenceInputs { guides, irradiance: &irradiance, history });
-        let all = change_test(&frame, &tuning, EXTENT, &[&difference]).history_confidence;
+        let past = LuminanceHistory { mean: 1.0, deviation: past_noise, history_length: 8.0, ..LuminanceHistory::default() };
+        let all = tested(&shadow(18, noise), &shadow(16, 0.0), past);
         [all.at(glam::IVec2::new(20, 20)), all.at(glam::IVec2::new(42, 20))]
     };
     assert_eq!(confidence(0.0, 0.0), [0.0, 1.0]);
@@ -174,7 +164,6 @@ fn a_block_that_departs_alone_loses_its_history_sooner_where_it_became_darker() 
 /// Edges bend as noise does, and a look-up of the nearest pixel is half a pixel off.
 #[test]
 fn edges_that_were_looked_up_beside_their_place_are_no_noise() {
-    let (frame, tuning, guides) = (frame(EXTENT), svgf_tuning(), guides(EXTENT, |_, _| surface(2.0)));
     let leaves = |shift: i32, noise: f32| {
         let random = one_sample(11 + shift as u32);
         paint(EXTENT, |x, y| {
@@ -182,15 +171,8 @@ fn edges_that_were_looked_up_beside_their_place_are_no_noise() {
             [light * (1.0 + noise * (random.at(glam::IVec2::new(x, y))[0].min(4.0) - 1.0)); 4]
         })
     };
-    let confidence = |noise: f32| {
-        let luminance_history = LuminanceHistory { mean: 0.6, history_length: 1.0, ..LuminanceHistory::default() };
-        let (history, luminance_history) = (leaves(0, noise), Image::new(EXTENT, luminance_history));
-        let history = SignalHistory { irradiance: &history, luminance_history: &luminance_history };
-        let guides = HistoryGuides { guide: &guides.guide, surface_motion: &guides.surface_motion, previous_guide: &guides.guide };
-        let irradiance = leaves(1, noise);
-        let difference = block_difference(&frame, &tuning, &BlockDifferenceInputs { guides, irradiance: &irradiance, history });
-        change_test(&frame, &tuning, EXTENT, &[&difference]).history_confidence.at(glam::IVec2::new(20, 20))
-    };
+    let past = LuminanceHistory { mean: 0.6, history_length: 1.0, ..LuminanceHistory::default() };
+    let confidence = |noise: f32| tested(&leaves(1, noise), &leaves(0, noise), past).at(glam::IVec2::new(20, 20));
     assert_eq!(confidence(0.0), 0.0);
     assert_eq!(confidence(1.0), 1.0, "noise explains it");
 }

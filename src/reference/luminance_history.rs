@@ -46,7 +46,6 @@ impl LuminanceHistory {
     /// As stages hand it on within a frame.
     pub(crate) fn in_halves(self) -> Self {
         let [mean, deviation, history_length] = [self.mean, self.deviation, self.history_length].map(store);
-        let deviation = if self.outside.is_some() { 0.0 } else { deviation };
         Self { mean, deviation, history_length, outside: self.outside.map(store), ..self }
     }
 }
@@ -70,7 +69,7 @@ fn from_upper_bits(bits: u32, dropped: u32) -> f32 {
 /// The texel `p` of `luminance_history*`. What is rounded decides how, with its pixel, and not the number of the frame. Of mean and
 /// deviation all but the lowest bits decide: two devices that differ by a step of a half mostly agree.
 pub(crate) fn pack_luminance_history(m: &LuminanceHistory, p: IVec2) -> u32 {
-    let m = &LuminanceHistory { deviation: if m.outside.is_some() { 0.0 } else { m.deviation }, outside: None, ..*m };
+    let m = &LuminanceHistory { outside: None, ..*m };
     let (pixel, new) = (p.x as u32 | (p.y as u32) << 16, new_luminance(m));
     let random = pcg(pixel.wrapping_add(pcg((new & 0xffe0_fff8).wrapping_add(half_bits(length_or_reason(m)).into()))));
     let code = match m.reason {

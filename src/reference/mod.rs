@@ -39,6 +39,7 @@ pub(crate) mod octahedral;
 pub(crate) mod outgoing;
 mod pass;
 pub(crate) mod projection;
+pub(crate) mod range;
 pub(crate) mod rare_light;
 pub(crate) mod reflection;
 pub(crate) mod render_rect;

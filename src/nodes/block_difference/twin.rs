@@ -8,6 +8,7 @@ use crate::reference::luminance::texel_luminance;
 use crate::reference::luminance_history::luminance_history_of;
 use crate::reference::nearest_history::HistoryGuides;
 use crate::reference::nearest_history::SignalHistory;
+use crate::reference::range::Range;
 use crate::reference::rules::{rule, HALF};
 use crate::reference::Image;
 use crate::{Error, FrameConstants, Tuning};
@@ -130,12 +131,9 @@ type Side = fn(&Pair) -> f32;
 fn outside_at(pairs: &BTreeMap<(i32, i32), Pair>, (y, x): (i32, i32)) -> f32 {
     let places = [(y, x), (y, x - 1), (y, x + 1), (y - 1, x), (y + 1, x)];
     let beside: Vec<&Pair> = places.iter().filter_map(|at| pairs.get(at)).collect();
-    let outside = |value: f32, of: Side| {
-        let range = beside.iter().map(|pair| of(pair)).fold((f32::MAX, f32::MIN), |(least, most), x| (least.min(x), most.max(x)));
-        (value - range.1).max(range.0 - value).max(0.0)
-    };
-    let [now, before]: [Side; 2] = [|pair| round_to_half(pair.now), |pair| round_to_half(pair.before)];
-    let (now, before) = (outside(now(beside[0]), before), outside(before(beside[0]), now));
+    let outside = |of: Side, other: Side| beside.iter().map(|pair| other(pair)).collect::<Range>().outside(of(beside[0]));
+    let (now, before): (Side, Side) = (|pair| round_to_half(pair.now), |pair| round_to_half(pair.before));
+    let (now, before) = (outside(now, before), outside(before, now));
     (beside.len() as f32 - 0.5) * 0.5 * (now * now + before * before)
 }
 

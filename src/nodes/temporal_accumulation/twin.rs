@@ -23,7 +23,7 @@ mod tests;
 mod volume;
 
 pub(crate) use adapter::{twin, RULES};
-pub(crate) use blend::{blend, fresh, range_of, AlphaBounds};
+pub(crate) use blend::{blend, fresh, AlphaBounds};
 pub(crate) use taps::{cubic_taps, SMALLEST_WEIGHT_SUM};
 pub(crate) use volume::{volume_accumulation, VolumeAccumulationInputs};
 
@@ -362,7 +362,7 @@ fn accumulate(
     }
     let before = LuminanceHistory { history_length: (before.history_length * likeness).min(longest), ..before };
     let means = taps.iter().filter(|tap| tap.1 > 0.0).map(|(q, _)| signal.luminance_history.at(*q).mean);
-    blend(frame, c, irradiance, (&before, range_of(means)), bounds, ratio)
+    blend(frame, c, irradiance, (&before, means.collect()), bounds, ratio)
 }
 
 /// The weighted mean of irradiance and of μ1, σ² + μ1² and N. The second moment is taken about the mean, which is the same and does

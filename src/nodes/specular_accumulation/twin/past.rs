@@ -3,11 +3,12 @@
 use super::agreement::{AGREES, AGREES_WIDEST};
 use super::evidence::{CHANCE_AT_FIRST, UNLIKELY};
 use super::{Centre, Scene};
-use crate::nodes::temporal_accumulation::twin::{cubic_taps, range_of, SMALLEST_WEIGHT_SUM};
+use crate::nodes::temporal_accumulation::twin::{cubic_taps, SMALLEST_WEIGHT_SUM};
 use crate::reference::binary16::{signed_half_range, LARGEST_HALF};
 use crate::reference::forward_projection::previous_world_position;
 use crate::reference::luminance::texel_luminance;
 use crate::reference::projection::{extent_ratio, previous_surface};
+use crate::reference::range::Range;
 use crate::reference::reflection::{
     hit_distance_of, lobe_radius, lobe_width, mirror_image_distance, mirror_share, nearness, reach, unpack_image_share,
     unpack_reflection, SeenReflection,
@@ -43,7 +44,7 @@ const OWN_DIFFERENCE: f32 = 0.35;
 const NOISE_OF_PAST: f32 = 2.0;
 
 /// Mean of what the tested taps hold.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub(super) struct Past {
     /// Frames that it is worth.
     pub frames: f32,
@@ -58,24 +59,8 @@ pub(super) struct Past {
     /// Of luminance about the origin of the pixel: the difference of squares would cancel otherwise.
     pub mean: f32,
     pub second_moment: f32,
-    /// The least and the greatest luminance of its taps.
-    pub range: [f32; 2],
-}
-
-impl Default for Past {
-    fn default() -> Self {
-        Self {
-            frames: 0.0,
-            nearness: 0.0,
-            reach: 0.0,
-            roughness: 0.0,
-            image_share: 0.0,
-            irradiance: [0.0; 3],
-            mean: 0.0,
-            second_moment: 0.0,
-            range: range_of(std::iter::empty()),
-        }
-    }
+    /// Of the mean luminances of its taps.
+    pub range: Range,
 }
 
 /// The past that a pixel is blended with.
@@ -100,7 +85,7 @@ impl Past {
         (0..3).for_each(|i| self.irradiance[i] += weight * tap.irradiance[i]);
         self.mean += weight * tap.mean;
         self.second_moment += weight * tap.second_moment;
-        self.range = [self.range[0].min(tap.range[0]), self.range[1].max(tap.range[1])];
+        self.range = self.range.with(tap.range);
     }
 
     fn blend(&self, other: &Self, share: f32) -> Self {
@@ -294,7 +279,7 @@ impl Scene<'_> {
             if weight > 0.0 && c.reprojected.is_on_plane(&self.previous_surfaces, q) {
                 let likeness = if self.inputs.is_sharp { c.reprojected.likeness(&self.previous_surfaces.at(q)) } else { 1.0 };
                 let tap = self.tap(c, q);
-                let range = if weight >= LEAST_IN_RANGE { tap.range } else { sum.range };
+                let range = if weight >= LEAST_IN_RANGE { tap.range } else { Range::default() };
                 sum.add(&Past { range, ..tap }, weight * likeness);
                 whole += weight;
                 weights += weight * likeness;
@@ -322,7 +307,7 @@ impl Scene<'_> {
             irradiance: [r, g, b],
             mean,
             second_moment: luminance_history.deviation * luminance_history.deviation + mean * mean,
-            range: [luminance_history.mean; 2],
+            range: [luminance_history.mean].into_iter().collect(),
         }
     }
 

@@ -4,6 +4,7 @@ use crate::reference::binary16::{signed_half_range, store, store_signed, LARGEST
 use crate::reference::holes::sample_worth;
 use crate::reference::luminance::{luminance, texel_luminance};
 use crate::reference::luminance_history::{LuminanceHistory, Reason};
+use crate::reference::range::Range;
 use crate::{FrameConstants, Tuning};
 
 /// Smallest weights of the new sample, and the longest history that goes with them.
@@ -34,11 +35,6 @@ fn adapted(alpha: f32, change: f32) -> f32 {
     alpha + change * (1.0 - alpha)
 }
 
-/// The least and the greatest.
-pub(crate) fn range_of(values: impl Iterator<Item = f32>) -> [f32; 2] {
-    values.fold([LARGEST_HALF, 0.0], |[least, most], value| [least.min(value), most.max(value)])
-}
-
 /// A pixel without a past; one without a sample either has none for the next frame.
 pub(crate) fn fresh(c: [f32; 4], reason: Reason) -> ([f32; 4], LuminanceHistory) {
     let (history_length, reason) = if sample_worth(c) > 0.0 { (1.0, reason) } else { (0.0, Reason::None) };
@@ -58,7 +54,7 @@ pub(crate) fn blend(
     frame: &FrameConstants,
     c: [f32; 4],
     past: [f32; 3],
-    (before, range): (&LuminanceHistory, [f32; 2]),
+    (before, range): (&LuminanceHistory, Range),
     bounds: AlphaBounds,
     ratio: [f32; 3],
 ) -> ([f32; 4], LuminanceHistory) {
@@ -80,11 +76,11 @@ pub(crate) fn blend(
     let now = texel_luminance(c);
     let difference = now - mean;
     // A past that moved was resampled: what lies between its pixels is no noise.
-    let outside = (now - scaled(range[1])).max(scaled(range[0]) - now).max(0.0) / OUTSIDE_OF_FOUR;
-    let outside = (worth > 0.0 && history_length < ONE_FRAME).then_some(outside);
+    let range: Range = [range.least, range.most].into_iter().map(scaled).collect();
+    let outside = (worth > 0.0 && history_length < ONE_FRAME).then(|| range.outside(now) / OUTSIDE_OF_FOUR);
     let variance = (1.0 - alpha_moments) * (deviation * deviation + alpha_moments * difference * difference);
     let mean = mean + alpha_moments * difference;
-    let luminance_history =
-        LuminanceHistory { mean, deviation: variance.sqrt(), history_length, reason: Reason::None as u16, outside };
+    let deviation = if outside.is_some() { 0.0 } else { variance.sqrt() };
+    let luminance_history = LuminanceHistory { mean, deviation, history_length, reason: Reason::None as u16, outside };
     ([r, g, b, 0.0], luminance_history)
 }
