@@ -26,8 +26,10 @@ layout(set = 0, binding = 7) uniform utexture2D previous_luminance_history;
 layout(set = 0, binding = 8, rgba16ui) uniform writeonly uimage2D block_difference;
 
 #define guide_at(p) imageLoad(guide, p)
-#define irradiance_at(p) imageLoad(irradiance, p)
-#define history_at(p) imageLoad(history, p)
+#define irradiance_of(signal, p) imageLoad(irradiance, p)
+#define history_of(signal, p) imageLoad(history, p)
+#define past_luminance_of(signal, p) texelFetch(previous_luminance_history, p, 0).x
+#define store_difference(signal, block, packed) imageStore(block_difference, block, packed)
 #include "block_difference.glsl"
 
-void main() { write_block_difference(); }
+void main() { write_block_difference(0); }

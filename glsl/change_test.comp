@@ -33,6 +33,7 @@ layout(set = 0, binding = BLOCK_DIFFERENCE_1) uniform utexture2D block_differenc
 layout(set = 0, binding = STEADINESS, r32f) uniform writeonly image2D steadiness;
 
 bool wants_steadiness() { return is_present(STEADINESS); }
+#define TESTS 1
 #include "change_test.glsl"
 
 void main() {
@@ -42,7 +43,7 @@ void main() {
     if (wants_steadiness() && i < ROW_BLOCKS && is_block(block)) imageStore(steadiness, block, vec4(1.0 - unsteadiness[i + 1u + CHANGES_WIDTH]));
     ivec2 top = ivec2(gl_GlobalInvocationID.x, gl_WorkGroupID.y * uint(BLOCK_SIZE));
     if (!is_inside(top)) return;
-    Column c = column_of(top);
+    Column c = column_of(0u, top);
     [[unroll]] for (int y = 0; y < BLOCK_SIZE; ++y) {
         ivec2 p = top + ivec2(0, y);
         if (is_inside(p)) imageStore(history_confidence, host_pixel(HISTORY_CONFIDENCE, p), vec4(tested_confidence(c, top, y)));

@@ -4,9 +4,10 @@
 // In:  SOURCE 0: gradient, δ and Δ per stratum; light_ratio: history that it scales is true again; other_confidence, of which those pixels
 //      take theirs that no gradient is known for; steadiness of blocks, where a gradient is no evidence of change. SOURCE 1: confidence of the
 //      host per pixel. SOURCE 2: SOURCE 0 with the change test in the place of other_confidence and steadiness, of the block_difference of each
-//      signal. Out: history_confidence, 0..1.
+//      signal. Out: history_confidence, 0..1. With history_confidence_1 as well, that is of specular light, of block_difference_1 alone, and no
+//      light_ratio scales its history.
 // Constants: STRATUM_SIZE, with SOURCE 0 and 2.
-// optional: light_ratio, other_confidence, steadiness, block_difference_1
+// optional: light_ratio, other_confidence, steadiness, block_difference_1, history_confidence_1
 // variants: SOURCE=0 SOURCE=1 SOURCE=2
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -44,12 +45,14 @@ const uint LIGHT_RATIO = 3u;
 const uint OTHER_CONFIDENCE = 4u;
 const uint STEADINESS = 5u;
 const uint BLOCK_DIFFERENCE_1 = 5u;
+const uint HISTORY_CONFIDENCE_1 = 6u;
 
 layout(set = 0, binding = 1) uniform texture2D gradient;
 layout(set = 0, binding = LIGHT_RATIO) uniform texture2D light_ratio;
 #if SOURCE == 2
 layout(set = 0, binding = 4) uniform utexture2D block_difference_0;
 layout(set = 0, binding = BLOCK_DIFFERENCE_1) uniform utexture2D block_difference_1;
+layout(set = 0, binding = HISTORY_CONFIDENCE_1, r32f) uniform writeonly image2D history_confidence_1;
 #else
 layout(set = 0, binding = OTHER_CONFIDENCE) uniform texture2D other_confidence;
 layout(set = 0, binding = STEADINESS) uniform texture2D steadiness;
@@ -62,23 +65,25 @@ layout(set = 0, binding = HISTORY_CONFIDENCE, r32f) uniform writeonly image2D hi
 #if SOURCE != 1
 // What is known of changes besides the gradient.
 #if SOURCE == 2
+#define TESTS 2
+bool tests_each() { return is_present(HISTORY_CONFIDENCE_1); }
 bool wants_steadiness() { return true; }
 #include "change_test.glsl"
 
-Column tested_column;
+Column tested_columns[TESTS];
 
 bool has_other() { return true; }
-float other_at(ivec2 p) { return tested_confidence(tested_column, ivec2(p.x, p.y - p.y % BLOCK_SIZE), p.y % BLOCK_SIZE); }
+float other_at(uint test, ivec2 p) { return tested_confidence(tested_columns[test], ivec2(p.x, p.y - p.y % BLOCK_SIZE), p.y % BLOCK_SIZE); }
 
-float steadiness_of(ivec2 block) {
+float steadiness_of(uint test, ivec2 block) {
     ivec2 place = block - first_block() + 1;
-    return 1.0 - unsteadiness[place.x + place.y * int(CHANGES_WIDTH)];
+    return 1.0 - unsteadiness[place.x + place.y * int(CHANGES_WIDTH) + int(test * CHANGES)];
 }
 #else
 bool wants_steadiness() { return is_present(STEADINESS); }
 bool has_other() { return is_present(OTHER_CONFIDENCE); }
-float other_at(ivec2 p) { return texelFetch(other_confidence, host_pixel(OTHER_CONFIDENCE, p), 0).x; }
-float steadiness_of(ivec2 block) { return texelFetch(steadiness, block, 0).x; }
+float other_at(uint test, ivec2 p) { return texelFetch(other_confidence, host_pixel(OTHER_CONFIDENCE, p), 0).x; }
+float steadiness_of(uint test, ivec2 block) { return texelFetch(steadiness, block, 0).x; }
 #endif
 
 // The strata around a pixel.
@@ -101,23 +106,27 @@ void add_stratum(inout Surroundings around, ivec2 s) {
     around.largest = known ? max(around.largest, ratio) : around.largest;
 }
 
-float steadiness_at(ivec2 p) {
+float steadiness_at(uint test, ivec2 p) {
     BlocksAround around = blocks_around(p);
     ivec2 first = around.first, second = around.second;
-    float upper = mix(steadiness_of(first), steadiness_of(ivec2(second.x, first.y)), around.fraction.x);
-    float lower = mix(steadiness_of(ivec2(first.x, second.y)), steadiness_of(second), around.fraction.x);
+    float upper = mix(steadiness_of(test, first), steadiness_of(test, ivec2(second.x, first.y)), around.fraction.x);
+    float lower = mix(steadiness_of(test, ivec2(first.x, second.y)), steadiness_of(test, second), around.fraction.x);
     return mix(upper, lower, around.fraction.y);
 }
 
 // The 3x3 pixels lie in at most 2x2 strata; one that is met again changes nothing.
-float confidence_at(ivec2 p) {
+Surroundings surroundings_of(ivec2 p) {
     ivec2 first = max(p - 1, ivec2(0)) / int(STRATUM_SIZE);
     ivec2 last = min(p + 1, ivec2(frame.render_extent) - 1) / int(STRATUM_SIZE);
     Surroundings around = Surroundings(0.0, 0.0, vec4(65504.0), vec4(0.0));
     [[unroll]] for (int i = 0; i < 4; ++i) add_stratum(around, ivec2((i & 1) == 0 ? first.x : last.x, i < 2 ? first.y : last.y));
-    if (has_other() && around.brightest == 0.0) return other_at(p);
-    float change = around.change * (wants_steadiness() ? 1.0 - steadiness_at(p) : 1.0);
-    if (around.least.a > around.largest.a) return 1.0 - change;
+    return around;
+}
+
+float confidence_at(uint test, ivec2 p, Surroundings around) {
+    if (has_other() && around.brightest == 0.0) return other_at(test, p);
+    float change = around.change * (wants_steadiness() ? 1.0 - steadiness_at(test, p) : 1.0);
+    if (test == 1u || around.least.a > around.largest.a) return 1.0 - change;
     vec3 differences = (around.largest.rgb - around.least.rgb) / max(around.largest.rgb, 1e-6);
     float difference = max(differences.r, max(differences.g, differences.b));
     // Between strata history is scaled by what lies between their ratios.
@@ -131,7 +140,16 @@ float confidence_at(ivec2 p) {
 #endif
 
 void write_confidence(ivec2 p) {
-    imageStore(history_confidence, host_pixel(HISTORY_CONFIDENCE, p), vec4(confidence_at(p), 0.0, 0.0, 0.0));
+#if SOURCE == 1
+    float confidence = confidence_at(p);
+#else
+    Surroundings around = surroundings_of(p);
+    float confidence = confidence_at(0u, p, around);
+#endif
+    imageStore(history_confidence, host_pixel(HISTORY_CONFIDENCE, p), vec4(confidence, 0.0, 0.0, 0.0));
+#if SOURCE == 2
+    if (tests_each()) imageStore(history_confidence_1, host_pixel(HISTORY_CONFIDENCE_1, p), vec4(confidence_at(1u, p, around), 0.0, 0.0, 0.0));
+#endif
 }
 
 void main() {
@@ -139,7 +157,8 @@ void main() {
     load_changes();
     ivec2 top = ivec2(gl_GlobalInvocationID.x, gl_WorkGroupID.y * uint(BLOCK_SIZE));
     if (!is_inside(top)) return;
-    tested_column = column_of(top);
+    tested_columns[0] = column_of(0u, top);
+    if (tests_each()) tested_columns[1] = column_of(1u, top);
     [[dont_unroll]] for (int y = 0; y < BLOCK_SIZE; ++y) {
         ivec2 p = top + ivec2(0, y);
         if (is_inside(p)) write_confidence(p);

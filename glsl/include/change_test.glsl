@@ -1,6 +1,7 @@
 // Unless a frame departs from its history by more than noise explains, that is still true. Twin: src/nodes/change_test/twin.rs.
 // Needs `float adaptivity` and `float change_threshold` in the shader's block `push`, a workgroup of eight blocks with an invocation a column, the
-// images block_difference_0 and _1, the latter at the binding BLOCK_DIFFERENCE_1, and `bool wants_steadiness()`.
+// images block_difference_0 and _1, the latter at the binding BLOCK_DIFFERENCE_1, `bool wants_steadiness()`, and TESTS: of both signals together, or
+// 2 where `bool tests_each()` may ask for one of each.
 #ifndef CHANGE_TEST_GLSL
 #define CHANGE_TEST_GLSL
 #include "blocks.glsl"
@@ -31,9 +32,9 @@ const uint WIDTH = ROW_BLOCKS + 4u;
 const uint CHANGES_WIDTH = ROW_BLOCKS + 2u;
 const uint CHANGES = CHANGES_WIDTH * 3u;
 shared BlockDifference blocks[WIDTH * 5u];
-shared float changes[CHANGES];
-shared float departures[CHANGES];
-shared float unsteadiness[CHANGES];
+shared float changes[TESTS * CHANGES];
+shared float departures[TESTS * CHANGES];
+shared float unsteadiness[TESTS * CHANGES];
 
 ivec2 first_block() { return ivec2(gl_WorkGroupID.xy) * ivec2(ROW_BLOCKS, 1); }
 
@@ -121,7 +122,13 @@ Change change_of(uint corner) {
     return Change(of_mean, departs, 1.0 - steady);
 }
 
-// Of the worst signal. Every invocation of a workgroup takes part in the barriers.
+void share(uint place, Change change) {
+    changes[place] = change.of_mean;
+    departures[place] = change.of_pixels;
+    unsteadiness[place] = change.unsteadiness;
+}
+
+// Of each signal, or of the worst. Every invocation of a workgroup takes part in the barriers.
 void load_changes() {
     uint i = gl_LocalInvocationIndex;
     uint corner = i % CHANGES_WIDTH + WIDTH * (i / CHANGES_WIDTH);
@@ -135,31 +142,29 @@ void load_changes() {
         barrier();
         if (i < CHANGES) {
             Change other = change_of(corner);
-            change.of_mean = max(change.of_mean, other.of_mean);
-            change.of_pixels = max(change.of_pixels, other.of_pixels);
-            change.unsteadiness = max(change.unsteadiness, other.unsteadiness);
+#if TESTS == 2
+            if (tests_each()) share(CHANGES + i, other);
+            else
+#endif
+            change = Change(max(change.of_mean, other.of_mean), max(change.of_pixels, other.of_pixels), max(change.unsteadiness, other.unsteadiness));
         }
     }
-    if (i < CHANGES) {
-        changes[i] = change.of_mean;
-        departures[i] = change.of_pixels;
-        unsteadiness[i] = change.unsteadiness;
-    }
+    if (i < CHANGES) share(i, change);
     barrier();
 }
 
 // The changes of the blocks above, here and below, of the nearest existing ones in that column.
-vec3 column(int x) {
+vec3 column(uint test, int x) {
     ivec2 last = block_extent() - 1, origin = first_block() - 1;
     int row = int(gl_WorkGroupID.y), place = clamp(x, 0, last.x) - origin.x;
     ivec3 rows = clamp(ivec3(row - 1, row, row + 1), 0, last.y) - origin.y;
-    return vec3(changes[place + rows.x * int(CHANGES_WIDTH)], changes[place + rows.y * int(CHANGES_WIDTH)],
-        changes[place + rows.z * int(CHANGES_WIDTH)]);
+    rows = rows * int(CHANGES_WIDTH) + place + int(test * CHANGES);
+    return vec3(changes[rows.x], changes[rows.y], changes[rows.z]);
 }
 
 // The largest departure of the 3x3 blocks around one: an edge that moves is about to leave its own.
-float departure(ivec2 block) {
-    uint corner = uint(block.x - first_block().x);
+float departure(uint test, ivec2 block) {
+    uint corner = uint(block.x - first_block().x) + test * CHANGES;
     float most = 0.0;
     for (uint i = 0u; i < 9u; ++i) most = max(most, departures[corner + i % 3u + CHANGES_WIDTH * (i / 3u)]);
     return most;
@@ -173,9 +178,9 @@ struct Column {
     float departs;
 };
 
-Column column_of(ivec2 top) {
+Column column_of(uint test, ivec2 top) {
     vec2 position = block_position(top), corner = floor(position);
-    return Column(column(int(corner.x)), column(int(corner.x) + 1), position.x - corner.x, departure(top / BLOCK_SIZE));
+    return Column(column(test, int(corner.x)), column(test, int(corner.x) + 1), position.x - corner.x, departure(test, top / BLOCK_SIZE));
 }
 
 // Confidence in the history of the pixel `y` rows below the top of a column.

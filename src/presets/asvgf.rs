@@ -1,11 +1,11 @@
 //! Adaptive temporal filtering by temporal gradients \[ASVGF\].
 
 use super::past::Past;
-use super::specular::{compared, demodulated, estimated, filtered, Specular};
+use super::specular::{compared, demodulated, filtered, Specular};
 use super::{box_filter, change_of_light, firefly_filter, gradient_samples, noisy, Denoised};
 use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
-use crate::nodes::{Accumulation, Atrous, Estimator, Intermediates, Variance};
+use crate::nodes::{Accumulation, Estimator, Intermediates, Variance};
 
 /// A-SVGF: temporal gradients measure how outdated the history of each pixel is. The rest is SVGF
 /// with a 3×3 box, and with the fading estimate of variance \[PSVGF\]. \[ASVGF\] 3.
@@ -21,20 +21,17 @@ pub fn asvgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let (irradiance, reflected) = demodulated(g, guides, config, &noisy, change.gradient, samples);
     let (irradiance, usual) = firefly_filter(g, guides, irradiance, config, config.firefly_filter);
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
-    let past = Past::new(g, config, &irradiance, Feedback::Accumulated);
+    let past = Past::new(g, config, &irradiance, reflected, Feedback::Accumulated);
     let history = past.history;
     let accumulation = Accumulation { confidence: Some(change.confidence), ..Accumulation::default() };
-    let (accumulated, mixed) = past.accumulated(g, guides, &irradiance, accumulation);
     // Light that changes makes many histories short: the fading estimate costs as much for them as for long ones.
     let variance = Variance { estimator: Estimator::OfMean, ..Variance::default() };
-    let estimate = g.variance(guides, &accumulated, &history, variance);
-    let specular = Specular { confidence: Some(change.confidence), ..Specular::default() };
-    let specular = reflected.map(|reflected| estimated(g, guides, config, &reflected, specular));
-    let spatial = Atrous { reflection: mixed, ..box_filter(config) };
-    let radiance = filtered(g, guides, config, &estimate, spatial, specular);
+    let specular = Specular { confidence: Some(change.confidence), variance, ..Specular::default() };
+    let estimated = past.estimated(g, guides, config, &irradiance, accumulation, specular);
+    let radiance = filtered(g, guides, config, &estimated, box_filter(config));
     let intermediates = Intermediates {
         history: Some(history),
-        reflection: specular.map(|specular| specular.reflection).or(mixed),
+        reflection: estimated.reflection(),
         deviation: true,
         confidence: Some(change.confidence),
         gradient: change.gradient,

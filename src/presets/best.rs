@@ -1,8 +1,8 @@
 //! The default filter: every part that made pictures better, in one graph.
 
-use super::past::Past;
-use super::specular::{compared, demodulated, estimated, filtered, Specular};
-use super::{compared_with_history, firefly_filter, gradient_samples, noisy, Denoised};
+use super::past::{Compared, Past};
+use super::specular::{compared, demodulated, filtered, Specular};
+use super::{firefly_filter, gradient_samples, noisy, Denoised};
 use crate::config::{Config, Signals};
 use crate::graph::{Feedback, Graph, Guides};
 use crate::nodes::{Accumulation, Atrous, Estimator, Intermediates, Kernel, LuminanceWeight, Variance};
@@ -77,11 +77,11 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
     });
     let samples = gradients.and_then(|gradients| gradients.samples());
     let (irradiance, reflected) = demodulated(g, guides, config, &noisy, gradient, samples);
-    let past = Past::new(g, config, &irradiance, best.feedback);
+    let mut past = Past::new(g, config, &irradiance, reflected, best.feedback);
     let history = past.history;
     let (irradiance, difference, usual) = match best.change_test && gradient.is_some() {
         true => {
-            let (irradiance, difference, usual) = compared_with_history(g, guides, irradiance, &history, best.firefly_filter);
+            let Compared { irradiance, difference, usual } = past.compared(g, guides, irradiance, best.firefly_filter);
             (irradiance, Some(difference), usual)
         }
         false => {
@@ -90,31 +90,37 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
         }
     };
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
-    let confidence = match (&gradient, &difference) {
-        (Some(gradient), Some(difference)) => g.tested_confidence(gradient, difference),
-        (Some(gradient), None) => g.history_confidence(gradient, None),
-        (None, _) => g.host_confidence(),
+    let reflected = past.reflected.and_then(|reflected| reflected.difference);
+    let (confidence, of_specular) = match (&gradient, &difference, &reflected) {
+        (Some(gradient), Some(difference), Some(specular)) => {
+            let [diffuse, specular] = g.tested_confidence_of_each(gradient, [difference, specular]);
+            (diffuse, Some(specular))
+        }
+        (Some(gradient), Some(difference), None) => (g.tested_confidence(gradient, difference), None),
+        (Some(gradient), None, _) => (g.history_confidence(gradient, None), None),
+        (None, ..) => {
+            let of_host = g.host_confidence();
+            (of_host, Some(of_host))
+        }
     };
     let light_ratio = gradient.and_then(|gradient| gradient.light_ratio());
     let accumulation = Accumulation { confidence: Some(confidence), sharp: best.sharp, light_ratio, ..Accumulation::default() };
-    let (accumulated, mixed) = past.accumulated(g, guides, &irradiance, accumulation);
     let Best { variance, feedback, spatial, .. } = best;
-    let estimate = g.variance(guides, &accumulated, &history, variance);
     let specular = Specular {
         feedback,
         variance,
         sharp: best.sharp,
-        confidence: Some(confidence),
-        gradient,
+        confidence: of_specular,
+        gradient: gradient.filter(|_| of_specular.is_none()),
         change_test: best.change_test,
         ..Specular::default()
     };
-    let specular = reflected.map(|reflected| estimated(g, guides, config, &reflected, specular));
-    let spatial = Atrous { feedback: (feedback == Feedback::Filtered).then_some(history), reflection: mixed, ..spatial };
-    let radiance = filtered(g, guides, config, &estimate, spatial, specular);
+    let estimated = past.estimated(g, guides, config, &irradiance, accumulation, specular);
+    let spatial = Atrous { feedback: (feedback == Feedback::Filtered).then_some(history), ..spatial };
+    let radiance = filtered(g, guides, config, &estimated, spatial);
     let intermediates = Intermediates {
         history: Some(history),
-        reflection: specular.map(|specular| specular.reflection).or(mixed),
+        reflection: estimated.reflection(),
         deviation: true,
         confidence: Some(confidence),
         gradient,

@@ -1,11 +1,11 @@
 //! The cheapest filter that follows changing light.
 
-use super::past::Past;
-use super::specular::{demodulated, estimated, filtered, Specular};
-use super::{box_filter, compared_with_history, noisy, Denoised};
+use super::past::{Compared, Past};
+use super::specular::{demodulated, filtered, Specular};
+use super::{box_filter, noisy, Denoised};
 use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
-use crate::nodes::{Accumulation, Atrous, Estimator, Intermediates, Variance};
+use crate::nodes::{Accumulation, Atrous, Intermediates};
 
 /// SVGF with 4 levels of 9 taps, and with the change test of [`super::percentile`] before the
 /// history. Take it if you count every microsecond. `docs/lab/performance.md` compares its cost and
@@ -20,22 +20,17 @@ pub fn fast(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
 pub fn fast_with(g: &mut Graph, guides: &Guides, config: &Config, spatial: Atrous) -> Denoised {
     let noisy = noisy(g, config.signals);
     let (irradiance, reflected) = demodulated(g, guides, config, &noisy, None, None);
-    let past = Past::new(g, config, &irradiance, Feedback::Accumulated);
-    let history = past.history;
-    let (irradiance, difference, usual) = compared_with_history(g, guides, irradiance, &history, config.firefly_filter);
+    let mut past = Past::new(g, config, &irradiance, reflected, Feedback::Accumulated);
+    let Compared { irradiance, difference, usual } = past.compared(g, guides, irradiance, config.firefly_filter);
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let confidence = g.change_test(&difference);
     let accumulation = Accumulation { confidence: Some(confidence), ..Accumulation::default() };
-    let (accumulated, mixed) = past.accumulated(g, guides, &irradiance, accumulation);
-    let estimate = g.variance(guides, &accumulated, &history, Variance { estimator: Estimator::OfMean, ..Variance::default() });
-    let specular = reflected.map(|reflected| {
-        estimated(g, guides, config, &reflected, Specular { difference: Some(difference), ..Specular::default() })
-    });
-    let spatial = Atrous { reflection: mixed, ..spatial };
-    let radiance = filtered(g, guides, config, &estimate, spatial, specular);
+    let specular = Specular { difference: Some(difference), ..Specular::default() };
+    let estimated = past.estimated(g, guides, config, &irradiance, accumulation, specular);
+    let radiance = filtered(g, guides, config, &estimated, spatial);
     let intermediates = Intermediates {
-        history: Some(history),
-        reflection: specular.map(|specular| specular.reflection).or(mixed),
+        history: Some(past.history),
+        reflection: estimated.reflection(),
         deviation: true,
         confidence: Some(confidence),
         usual,

@@ -32,7 +32,7 @@ pub use volume::volume;
 use crate::config::{Config, PostProcess, Preset, Signals};
 use crate::contract::Declaration;
 use crate::error::Error;
-use crate::graph::{Difference, Graph, Guides, History, Image, Irradiance, Radiance, Visibility};
+use crate::graph::{Graph, Guides, Image, Irradiance, Radiance, Visibility};
 use crate::nodes::visibility_filter::OUTPUTS;
 use crate::nodes::{Atrous, Import, Intermediates, Kernel, LuminanceWeight, TemporalUpscale, Usual};
 use visibility::{ambient, ambient_accumulated, visibility, visibility_accumulated};
@@ -224,22 +224,6 @@ fn firefly_filter(
     }
     let usual = usual_light(g, guides, &irradiance, config);
     (g.firefly(guides, &irradiance, &usual.limits), Some(usual))
-}
-
-/// [`firefly_filter`], and the departure of the light that it leaves from its history, in the same pass.
-fn compared_with_history(
-    g: &mut Graph,
-    guides: &Guides,
-    irradiance: Irradiance,
-    history: &History,
-    is_on: bool,
-) -> (Irradiance, Difference, Option<Usual>) {
-    if !is_on {
-        return (irradiance, g.block_difference(guides, &irradiance, history), None);
-    }
-    let percentiles = g.block_percentiles(guides, &irradiance);
-    let (irradiance, difference, limits) = g.firefly_and_difference(guides, &irradiance, &percentiles, history);
-    (irradiance, difference, Some(Usual { percentiles, limits }))
 }
 
 /// The spatial filter of presets with a 3×3 box.

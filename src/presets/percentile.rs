@@ -1,11 +1,11 @@
 //! Percentile-based adaptive SVGF [PSVGF].
 
-use super::past::Past;
-use super::specular::{demodulated, estimated, filtered, Specular};
-use super::{box_filter, compared_with_history, firefly_filter, noisy, Denoised};
+use super::past::{Compared, Past};
+use super::specular::{demodulated, filtered, Specular};
+use super::{box_filter, firefly_filter, noisy, Denoised};
 use crate::config::{AdaptiveRule, Config};
 use crate::graph::{Feedback, Graph, Guides};
-use crate::nodes::{Accumulation, Atrous, Estimator, Intermediates, Variance};
+use crate::nodes::{Accumulation, Intermediates};
 
 /// Percentile-adaptive SVGF: statistics of 8×8 pixels remove fireflies and detect outdated history.
 /// \[PSVGF\]
@@ -14,7 +14,7 @@ use crate::nodes::{Accumulation, Atrous, Estimator, Intermediates, Variance};
 pub fn percentile(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let noisy = noisy(g, config.signals);
     let (irradiance, reflected) = demodulated(g, guides, config, &noisy, None, None);
-    let past = Past::new(g, config, &irradiance, Feedback::Accumulated);
+    let mut past = Past::new(g, config, &irradiance, reflected, Feedback::Accumulated);
     let history = past.history;
     let (irradiance, difference, usual) = match config.adaptive_rule {
         AdaptiveRule::Percentiles => {
@@ -22,7 +22,7 @@ pub fn percentile(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
             (irradiance, None, usual)
         }
         AdaptiveRule::ChangeTest => {
-            let (irradiance, difference, usual) = compared_with_history(g, guides, irradiance, &history, true);
+            let Compared { irradiance, difference, usual } = past.compared(g, guides, irradiance, true);
             (irradiance, Some(difference), usual)
         }
     };
@@ -32,17 +32,13 @@ pub fn percentile(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
         None => usual.map(|usual| g.percentile_rule(guides, &usual.percentiles, &history)),
     };
     let accumulation = Accumulation { confidence, repair: true, ..Accumulation::default() };
-    let (accumulated, mixed) = past.accumulated(g, guides, &irradiance, accumulation);
-    let variance = Variance { estimator: Estimator::OfMean, ..Variance::default() };
-    let estimate = g.variance(guides, &accumulated, &history, variance);
     let specular = Specular { confidence, difference, ..Specular::default() };
-    let specular = reflected.map(|reflected| estimated(g, guides, config, &reflected, specular));
+    let estimated = past.estimated(g, guides, config, &irradiance, accumulation, specular);
     // The 3x3 box costs 9 taps of 25 and pays for the statistics; on the flickering box it is no worse.
-    let spatial = Atrous { reflection: mixed, ..box_filter(config) };
-    let radiance = filtered(g, guides, config, &estimate, spatial, specular);
+    let radiance = filtered(g, guides, config, &estimated, box_filter(config));
     let intermediates = Intermediates {
         history: Some(history),
-        reflection: specular.map(|specular| specular.reflection).or(mixed),
+        reflection: estimated.reflection(),
         deviation: true,
         confidence,
         usual,

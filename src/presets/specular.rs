@@ -1,11 +1,12 @@
 //! The filter of specular light, beside that of diffuse light.
 
+use super::past::Estimated;
 use crate::config::{Config, Signals};
 use crate::graph::{
     Confidence, Difference, Estimate, Feedback, Gradient, GradientSamples, Graph, Guides, History, Irradiance, Port, Radiance,
     Reflection,
 };
-use crate::nodes::{Albedo, Atrous, Demodulate, Estimator, Modulate, SpecularAccumulation, Variance};
+use crate::nodes::{Albedo, Atrous, Demodulate, Estimator, Modulate, SpecularAccumulation, SpecularHistory, Variance};
 
 /// Parameters of [`specular`], which differ from preset to preset.
 #[derive(Clone, Copy, Debug)]
@@ -67,6 +68,21 @@ pub(super) fn demodulated(
     }
 }
 
+/// Specular light beside that of a preset, and its history, made before the nodes that read the previous frame.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Reflected {
+    pub irradiance: Irradiance,
+    pub history: SpecularHistory,
+    /// From its own history, where another pass has it.
+    pub difference: Option<Difference>,
+}
+
+impl Reflected {
+    pub(super) fn new(g: &mut Graph, irradiance: Irradiance, feedback: Feedback) -> Self {
+        Self { irradiance, history: g.specular_history(&irradiance, feedback), difference: None }
+    }
+}
+
 /// Specular light before its spatial filter.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SpecularEstimate {
@@ -84,7 +100,8 @@ pub fn specular(g: &mut Graph, guides: &Guides, config: &Config, specular: Specu
     let demodulate =
         Demodulate { albedo: Albedo::Specular, samples: specular.samples, sampling: config.sampling, ..Demodulate::default() };
     let irradiance = g.demodulate(guides, &noisy, demodulate);
-    let SpecularEstimate { estimate, history, reflection } = estimated(g, guides, config, &irradiance, specular);
+    let reflected = Reflected::new(g, irradiance, specular.feedback);
+    let SpecularEstimate { estimate, history, reflection } = estimated(g, guides, config, &reflected, specular);
     let feedback = (specular.feedback == Feedback::Filtered).then_some(history);
     (g.atrous(guides, &estimate, Atrous { feedback, reflection: Some(reflection), ..spatial }).into(), reflection)
 }
@@ -95,18 +112,21 @@ pub(super) fn estimated(
     g: &mut Graph,
     guides: &Guides,
     config: &Config,
-    irradiance: &Irradiance,
+    reflected: &Reflected,
     specular: Specular,
 ) -> SpecularEstimate {
-    let Specular { feedback, variance, sharp, .. } = specular;
-    let irradiance = g.fill_holes(guides, irradiance, config.sampling);
-    let history = g.specular_history(&irradiance, feedback);
+    let Specular { variance, sharp, .. } = specular;
+    let Reflected { history, .. } = *reflected;
+    let own = |g: &mut Graph| {
+        let Reflected { irradiance, history, difference } = reflected;
+        difference.unwrap_or_else(|| g.block_difference(guides, irradiance, &history.history))
+    };
     let confidence = if let Some(diffuse) = specular.difference {
-        let own = g.block_difference(guides, &irradiance, &history.history);
+        let own = own(g);
         let both = g.pair(&own, &diffuse);
         Some(g.scope(SCOPE, |g| g.change_test(&both)))
     } else if let Some(gradient) = specular.gradient {
-        let own = specular.change_test.then(|| g.block_difference(guides, &irradiance, &history.history));
+        let own = specular.change_test.then(|| own(g));
         Some(g.scope(SCOPE, |g| match own {
             Some(own) => g.tested_confidence(&gradient.without_ratio(), &own),
             None => g.history_confidence(&gradient.without_ratio(), None),
@@ -114,6 +134,7 @@ pub(super) fn estimated(
     } else {
         specular.confidence
     };
+    let irradiance = g.fill_holes(guides, &reflected.irradiance, config.sampling);
     let accumulation = SpecularAccumulation { confidence, sharp, ..SpecularAccumulation::default() };
     let found = g.specular_accumulation(guides, &irradiance, &history, accumulation);
     let estimate = g.variance(guides, &found.accumulated, &history.history, variance);
@@ -124,21 +145,15 @@ pub(super) fn estimated(
 const SCOPE: &str = "specular";
 
 /// Filters the light of a preset and multiplies its albedo back; with specular light both in the same passes.
-pub(super) fn filtered(
-    g: &mut Graph,
-    guides: &Guides,
-    config: &Config,
-    estimate: &Estimate,
-    spatial: Atrous,
-    specular: Option<SpecularEstimate>,
-) -> Radiance {
-    let Some(specular) = specular else {
-        let filtered = g.atrous(guides, estimate, spatial).into();
+pub(super) fn filtered(g: &mut Graph, guides: &Guides, config: &Config, estimated: &Estimated, spatial: Atrous) -> Radiance {
+    let spatial = Atrous { reflection: estimated.reflection(), ..spatial };
+    let Some(specular) = estimated.specular else {
+        let filtered = g.atrous(guides, &estimated.estimate, spatial).into();
         return g.modulate(guides, &filtered, modulate(config));
     };
     let feedback = spatial.feedback.map(|diffuse| diffuse.beside(specular.history));
-    let both = g.pair(estimate, &specular.estimate);
-    let filtered = g.atrous(guides, &both, Atrous { feedback, reflection: Some(specular.reflection), ..spatial }).into();
+    let both = g.pair(&estimated.estimate, &specular.estimate);
+    let filtered = g.atrous(guides, &both, Atrous { feedback, ..spatial }).into();
     sum(g, guides, config, &filtered)
 }
 

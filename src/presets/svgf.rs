@@ -1,7 +1,7 @@
 //! Spatiotemporal variance-guided filtering \[SVGF\].
 
 use super::past::Past;
-use super::specular::{demodulated, estimated, filtered, Specular};
+use super::specular::{demodulated, filtered, Specular};
 use super::{firefly_filter, noisy, Denoised};
 use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
@@ -15,19 +15,17 @@ pub fn svgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let (irradiance, reflected) = demodulated(g, guides, config, &noisy, None, None);
     let (irradiance, usual) = firefly_filter(g, guides, irradiance, config, config.firefly_filter);
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
-    let past = Past::new(g, config, &irradiance, Feedback::Filtered);
+    let past = Past::new(g, config, &irradiance, reflected, Feedback::Filtered);
     let history = past.history;
-    let (accumulated, mixed) = past.accumulated(g, guides, &irradiance, Accumulation::default());
-    let estimate = g.variance(guides, &accumulated, &history, Variance::default());
     let specular = Specular { feedback: Feedback::Filtered, variance: Variance::default(), ..Specular::default() };
-    let specular = reflected.map(|reflected| estimated(g, guides, config, &reflected, specular));
-    let spatial = Atrous { levels: config.levels(), feedback: Some(history), reflection: mixed, ..Atrous::default() };
-    let radiance = filtered(g, guides, config, &estimate, spatial, specular);
+    let estimated = past.estimated(g, guides, config, &irradiance, Accumulation::default(), specular);
+    let spatial = Atrous { levels: config.levels(), feedback: Some(history), ..Atrous::default() };
+    let radiance = filtered(g, guides, config, &estimated, spatial);
     Denoised {
         radiance,
         intermediates: Intermediates {
             history: Some(history),
-            reflection: specular.map(|specular| specular.reflection).or(mixed),
+            reflection: estimated.reflection(),
             deviation: true,
             usual,
             ..Intermediates::new(&noisy)

@@ -1,7 +1,7 @@
 //! The stage `firefly` \[PSVGF\]: outliers are scaled down to the brightest luminance that is usual around them, and what that takes is
 //! spread over their block.
 
-use crate::nodes::block_difference::twin::{difference_from_history, DIFFERENCE};
+use crate::nodes::block_difference::twin::{difference_from_history, DIFFERENCE, SPECULAR_DIFFERENCE};
 use crate::nodes::firefly_limits::twin::{limit_at, limits_of_pass, Limit, LIMITS};
 use crate::reference::binary16::store;
 use crate::reference::bindings::Bindings;
@@ -84,7 +84,7 @@ fn kept_share(l: f32, limit: &Limit) -> f32 {
 }
 
 /// How what it writes is compared with the GPU.
-pub(crate) const RULES: &[Rule] = &[pixels("irradiance", HALF), rounded("irradiance"), DIFFERENCE, LIMITS];
+pub(crate) const RULES: &[Rule] = &[pixels("irradiance", HALF), rounded("irradiance"), DIFFERENCE, SPECULAR_DIFFERENCE, LIMITS];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
@@ -96,7 +96,11 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     }
     let limits = limits_of_pass(b)?;
     let filtered = firefly(b.frame, b.tuning, &FireflyInputs { guide, firefly_limits: &limits, irradiance });
-    let differences = difference_from_history(b, &filtered)?;
+    let differences = difference_from_history(b, &filtered, "")?;
+    if let Some(specular) = b.optional_colour("irradiance_1")? {
+        let differences = difference_from_history(b, specular, "_1")?;
+        b.write("block_difference_1", differences)?;
+    }
     b.write("firefly_limits", limits)?;
     b.write("block_difference", differences)?;
     b.write("irradiance", filtered)

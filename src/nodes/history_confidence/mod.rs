@@ -24,11 +24,22 @@ impl Graph {
 
     /// [`Self::history_confidence`] with [`Self::change_and_steadiness`] of `difference` in the same pass.
     pub(crate) fn tested_confidence(&mut self, gradient: &Gradient, difference: &Difference) -> Confidence {
+        let pass = self.tested(gradient, difference);
+        self.confidence_by(pass)
+    }
+
+    /// [`Self::tested_confidence`] of diffuse light and, without the ratio, of specular light: in one pass.
+    pub(crate) fn tested_confidence_of_each(&mut self, gradient: &Gradient, differences: [&Difference; 2]) -> [Confidence; 2] {
+        let differences = self.pair(differences[0], differences[1]);
+        let specular = self.named_image("history_confidence", "specular", CONFIDENCE, 1, Lifetime::Transient);
+        let pass = self.tested(gradient, &differences).bind("history_confidence_1", specular);
+        [self.confidence_by(pass), Port::of(self.refreshed(specular))]
+    }
+
+    fn tested(&mut self, gradient: &Gradient, difference: &Difference) -> Pass {
         let node = self.node("history_confidence", "");
-        let pass = pass(&node, &shaders::HISTORY_CONFIDENCE_SOURCE_2)
-            .grid(Grid::Columns(BLOCK_SIZE))
-            .each("block_difference", difference.images());
-        self.confidence_by(of_gradient(pass, gradient))
+        let pass = pass(&node, &shaders::HISTORY_CONFIDENCE_SOURCE_2).grid(Grid::Columns(BLOCK_SIZE));
+        of_gradient(pass.each("block_difference", difference.images()), gradient)
     }
 
     /// Confidence in the history, from your own estimate: the input `confidence`.

@@ -77,31 +77,44 @@ fn change(tuning: &Tuning, [change, brightest, ..]: [f32; 4]) -> f32 {
 }
 
 /// How what it writes is compared with the GPU.
-pub(crate) const RULES: &[Rule] = &[pixels("history_confidence", HALF)];
+pub(crate) const RULES: &[Rule] = &[pixels("history_confidence", HALF), pixels("history_confidence_1", HALF)];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
-    let extent = b.extent_of("history_confidence")?;
-    let tested = match b.has("block_difference_0") {
-        true => Some(change_test(b.frame, b.tuning, extent, &b.packed_signals("block_difference")?)),
-        false => None,
-    };
-    let (other, steadiness) = match &tested {
-        Some(tested) => (Some(&tested.history_confidence), Some(&tested.steadiness)),
-        None => (b.optional_scalar("other_confidence")?, b.optional_scalar("steadiness")?),
-    };
-    let input = match b.optional_colour("confidence")? {
-        Some(host) => HistoryConfidenceInput::Confidence(host),
-        None => HistoryConfidenceInput::Gradient {
-            gradient: b.colour("gradient")?,
-            stratum_size: b.stratum_size()?,
-            light_ratio: b.optional_colour("light_ratio")?,
-            other,
-            steadiness,
-        },
-    };
-    let confidence = history_confidence(b.frame, b.tuning, extent, input);
-    b.write("history_confidence", confidence)
+    if let Some(host) = b.optional_colour("confidence")? {
+        let extent = b.extent_of("history_confidence")?;
+        let confidence = history_confidence(b.frame, b.tuning, extent, HistoryConfidenceInput::Confidence(host));
+        return b.write("history_confidence", confidence);
+    }
+    if !b.has("block_difference_0") {
+        let (other, steadiness) = (b.optional_scalar("other_confidence")?, b.optional_scalar("steadiness")?);
+        return write_of_gradient(b, "history_confidence", other, steadiness);
+    }
+    let differences = b.packed_signals("block_difference")?;
+    if !b.has("history_confidence_1") {
+        return write_tested(b, "history_confidence", &differences);
+    }
+    write_tested(b, "history_confidence", &differences[..1])?;
+    write_tested(b, "history_confidence_1", &differences[1..])
+}
+
+fn write_tested(b: &mut Bindings, output: &str, differences: &[&Image<[u16; 4]>]) -> Result<(), Error> {
+    let tested = change_test(b.frame, b.tuning, b.extent_of(output)?, differences);
+    write_of_gradient(b, output, Some(&tested.history_confidence), Some(&tested.steadiness))
+}
+
+/// No ratio scales the history of specular light.
+fn write_of_gradient(
+    b: &mut Bindings,
+    output: &str,
+    other: Option<&Image<f32>>,
+    steadiness: Option<&Image<f32>>,
+) -> Result<(), Error> {
+    let light_ratio = if output == "history_confidence" { b.optional_colour("light_ratio")? } else { None };
+    let (gradient, stratum_size) = (b.colour("gradient")?, b.stratum_size()?);
+    let input = HistoryConfidenceInput::Gradient { gradient, stratum_size, light_ratio, other, steadiness };
+    let confidence = history_confidence(b.frame, b.tuning, b.extent_of(output)?, input);
+    b.write(output, confidence)
 }
 
 #[cfg(test)]
