@@ -4,10 +4,10 @@
 // In:  SOURCE 0: gradient, δ and Δ per stratum; light_ratio: history that it scales is true again; other_confidence, of which those pixels
 //      take theirs that no gradient is known for; steadiness of blocks, where a gradient is no evidence of change. SOURCE 1: confidence of the
 //      host per pixel. SOURCE 2: SOURCE 0 with the change test in the place of other_confidence and steadiness, of the block_difference of each
-//      signal. Out: history_confidence, 0..1. With history_confidence_1 as well, that is of specular light, of block_difference_1 alone, and no
-//      light_ratio scales its history.
-// Constants: STRATUM_SIZE, with SOURCE 0 and 2.
-// optional: light_ratio, other_confidence, steadiness, block_difference_1, history_confidence_1
+//      signal. Out: history_confidence, 0..1.
+// Constants: STRATUM_SIZE, with SOURCE 0 and 2. BOTH: block_difference_1 is of specular light, whose confidence is beside that of diffuse light; no
+// light_ratio scales its history.
+// optional: light_ratio, other_confidence, steadiness, block_difference_1
 // variants: SOURCE=0 SOURCE=1 SOURCE=2
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -15,6 +15,7 @@
 #include "frame.glsl"
 #include "viewport.glsl"
 #include "finite.glsl"
+#include "both_confidences.glsl"
 
 #if SOURCE == 2
 #include "blocks.glsl"
@@ -45,14 +46,12 @@ const uint LIGHT_RATIO = 3u;
 const uint OTHER_CONFIDENCE = 4u;
 const uint STEADINESS = 5u;
 const uint BLOCK_DIFFERENCE_1 = 5u;
-const uint HISTORY_CONFIDENCE_1 = 6u;
 
 layout(set = 0, binding = 1) uniform texture2D gradient;
 layout(set = 0, binding = LIGHT_RATIO) uniform texture2D light_ratio;
 #if SOURCE == 2
 layout(set = 0, binding = 4) uniform utexture2D block_difference_0;
 layout(set = 0, binding = BLOCK_DIFFERENCE_1) uniform utexture2D block_difference_1;
-layout(set = 0, binding = HISTORY_CONFIDENCE_1, r32f) uniform writeonly image2D history_confidence_1;
 #else
 layout(set = 0, binding = OTHER_CONFIDENCE) uniform texture2D other_confidence;
 layout(set = 0, binding = STEADINESS) uniform texture2D steadiness;
@@ -66,7 +65,8 @@ layout(set = 0, binding = HISTORY_CONFIDENCE, r32f) uniform writeonly image2D hi
 // What is known of changes besides the gradient.
 #if SOURCE == 2
 #define TESTS 2
-bool tests_each() { return is_present(HISTORY_CONFIDENCE_1); }
+layout(constant_id = 2) const bool BOTH = false;
+bool tests_each() { return BOTH; }
 bool wants_steadiness() { return true; }
 #include "change_test.glsl"
 
@@ -146,10 +146,10 @@ void write_confidence(ivec2 p) {
     Surroundings around = surroundings_of(p);
     float confidence = confidence_at(0u, p, around);
 #endif
-    imageStore(history_confidence, host_pixel(HISTORY_CONFIDENCE, p), vec4(confidence, 0.0, 0.0, 0.0));
 #if SOURCE == 2
-    if (tests_each()) imageStore(history_confidence_1, host_pixel(HISTORY_CONFIDENCE_1, p), vec4(confidence_at(1u, p, around), 0.0, 0.0, 0.0));
+    if (BOTH) confidence = both_confidences(confidence, confidence_at(1u, p, around));
 #endif
+    imageStore(history_confidence, host_pixel(HISTORY_CONFIDENCE, p), vec4(confidence, 0.0, 0.0, 0.0));
 }
 
 void main() {
@@ -158,7 +158,7 @@ void main() {
     ivec2 top = ivec2(gl_GlobalInvocationID.x, gl_WorkGroupID.y * uint(BLOCK_SIZE));
     if (!is_inside(top)) return;
     tested_columns[0] = column_of(0u, top);
-    if (tests_each()) tested_columns[1] = column_of(1u, top);
+    if (BOTH) tested_columns[1] = column_of(1u, top);
     [[dont_unroll]] for (int y = 0; y < BLOCK_SIZE; ++y) {
         ivec2 p = top + ivec2(0, y);
         if (is_inside(p)) write_confidence(p);

@@ -11,6 +11,7 @@
 // Constants: FILTERED: what is accumulated was filtered, so that what is kept longer is blurred more often.
 // MIXED: diffuse and specular light are one signal. The lobe is as wide as both together allow, and a past counts by how far it is off for the
 // part of the light that moves otherwise.
+// BESIDE_DIFFUSE: history_confidence has that of specular light in its last bits.
 // SHARP: irradiance by the cubic of Catmull and Rom (1974) over 4x4 taps, so that motion does not blur it; taps count as far as normals agree.
 // optional: roughness, history_confidence, specular_hit_id, specular_motion, surface_id, instance_transforms, albedo, specular_albedo, material_class
 #extension GL_EXT_control_flow_attributes : require
@@ -24,6 +25,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 1) const bool FILTERED = false;
 layout(constant_id = 2) const bool SHARP = false;
 layout(constant_id = 3) const bool MIXED = false;
+layout(constant_id = 4) const bool BESIDE_DIFFUSE = false;
 
 layout(push_constant) uniform Push {
     uint present;
@@ -34,6 +36,7 @@ layout(push_constant) uniform Push {
     float normal_tolerance;
 } push;
 
+#include "both_confidences.glsl"
 #include "frame.glsl"
 #include "viewport.glsl"
 #include "optional.glsl"
@@ -280,7 +283,11 @@ float other_thing(Centre c, Past past, float here, vec2 reaches, float roughness
 // Frames that a past is worth whose content is `error` pixels off in each of them.
 float worth(float frames, float error, float tolerance) { return min(frames, tolerance / max(error, 1e-4)); }
 
-float change_at(ivec2 p) { return is_present(HISTORY_CONFIDENCE) ? 1.0 - texelFetch(history_confidence, host_pixel(HISTORY_CONFIDENCE, p), 0).x : 0.0; }
+float change_at(ivec2 p) {
+    if (!is_present(HISTORY_CONFIDENCE)) return 0.0;
+    float confidence = texelFetch(history_confidence, host_pixel(HISTORY_CONFIDENCE, p), 0).x;
+    return 1.0 - (BESIDE_DIFFUSE ? specular_confidence(confidence) : confidence);
+}
 
 Past mixed(Past a, Past b, float share) {
     History light = History(mix(a.light.irradiance, b.light.irradiance, share), mix(a.light.mean, b.light.mean, share),

@@ -792,7 +792,6 @@ pub(crate) static HISTORY_CONFIDENCE_SOURCE_2: Shader = Shader {
         ShaderBinding { number: 3, name: Cow::Borrowed("light_ratio"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 4, name: Cow::Borrowed("block_difference_0"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
         ShaderBinding { number: 5, name: Cow::Borrowed("block_difference_1"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
-        ShaderBinding { number: 6, name: Cow::Borrowed("history_confidence_1"), kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
@@ -802,6 +801,7 @@ pub(crate) static HISTORY_CONFIDENCE_SOURCE_2: Shader = Shader {
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("BOTH"), id: 2, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
         SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
     ]),
@@ -1192,6 +1192,7 @@ pub(crate) static SPECULAR_ACCUMULATION: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("FILTERED"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("SHARP"), id: 2, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("MIXED"), id: 3, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("BESIDE_DIFFUSE"), id: 4, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),

@@ -65,6 +65,12 @@ impl Graph {
         self.last_writer(image.id).map(|pass| &self.passes[pass])
     }
 
+    /// Whether a constant of the pass that wrote an image is 1: it says how the image is to be read.
+    pub(crate) fn writer_has(&self, image: Image, constant: &str) -> bool {
+        let pipeline = self.writer_of(image).and_then(PassDecl::pipeline);
+        pipeline.is_some_and(|pipeline| pipeline.constants.iter().any(|c| c.name == constant && c.bits == 1))
+    }
+
     fn last_writer(&self, id: ResourceId) -> Option<usize> {
         self.passes.iter().rposition(|pass| pass.uses.iter().any(|u| u.resource == id && u.access.writes()))
     }

@@ -91,17 +91,11 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
     };
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let reflected = past.reflected.and_then(|reflected| reflected.difference);
-    let (confidence, of_specular) = match (&gradient, &difference, &reflected) {
-        (Some(gradient), Some(difference), Some(specular)) => {
-            let [diffuse, specular] = g.tested_confidence_of_each(gradient, [difference, specular]);
-            (diffuse, Some(specular))
-        }
-        (Some(gradient), Some(difference), None) => (g.tested_confidence(gradient, difference), None),
-        (Some(gradient), None, _) => (g.history_confidence(gradient, None), None),
-        (None, ..) => {
-            let of_host = g.host_confidence();
-            (of_host, Some(of_host))
-        }
+    let confidence = match (&gradient, &difference, &reflected) {
+        (Some(gradient), Some(difference), Some(specular)) => g.tested_confidence_of_both(gradient, difference, specular),
+        (Some(gradient), Some(difference), None) => g.tested_confidence(gradient, difference),
+        (Some(gradient), None, _) => g.history_confidence(gradient, None),
+        (None, ..) => g.host_confidence(),
     };
     let light_ratio = gradient.and_then(|gradient| gradient.light_ratio());
     let accumulation = Accumulation { confidence: Some(confidence), sharp: best.sharp, light_ratio, ..Accumulation::default() };
@@ -110,8 +104,8 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
         feedback,
         variance,
         sharp: best.sharp,
-        confidence: of_specular,
-        gradient: gradient.filter(|_| of_specular.is_none()),
+        confidence: Some(confidence),
+        gradient: gradient.filter(|_| reflected.is_none()),
         change_test: best.change_test,
         ..Specular::default()
     };

@@ -2,6 +2,7 @@
 
 use super::binary16::from_half_bits;
 use super::blocks::{BLOCK_SIZE, CELL_SIZE};
+use super::both_confidences::specular_confidence;
 use super::guide::unpack_guide;
 use super::luminance_history::unpack_luminance_history;
 use super::octahedral::octahedral10_to_normal;
@@ -38,6 +39,8 @@ pub(crate) enum Reading {
     Rgb,
     /// Whether the deviation in alpha says that light is rare.
     RareLight,
+    /// The confidence of specular light beside that of diffuse light.
+    SpecularConfidence,
     /// Words of a buffer, 32 bits each.
     Counts,
     /// A texel as two or four halves.
@@ -201,6 +204,7 @@ impl Reading {
             }
             Texels::Colour(image) if self == Self::RareLight => padded([is_rare(image.at(p)[3]).into()]),
             Texels::Colour(image) => padded(image.at(p)),
+            Texels::Scalar(image) if self == Self::SpecularConfidence => padded([specular_confidence(image.at(p))]),
             Texels::Scalar(image) => padded([image.at(p)]),
             Texels::Packed(image) => self.of_packed(image.at(p)),
             Texels::Uint(image) => self.of_uint(image.at(p)),

@@ -20,6 +20,7 @@
 pub(crate) mod binary16;
 pub(crate) mod bindings;
 pub(crate) mod blocks;
+pub(crate) mod both_confidences;
 pub(crate) mod compare;
 pub(crate) mod conventions;
 pub(crate) mod curvature;

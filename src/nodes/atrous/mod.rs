@@ -6,7 +6,6 @@ pub(crate) mod twin;
 
 use super::{by_signals, pass, UNREAD};
 use crate::choice::choices;
-use crate::contract::PassDecl;
 use crate::graph::{Estimate, Graph, Guides, History, Image, Pass, Port, Reflection, Value, VolumeEstimate, HDR};
 use crate::shaders::{self, Shader};
 
@@ -107,7 +106,7 @@ impl Graph {
         let levels = Levels { node: &node, count: atrous.levels, feedback: atrous.feedback };
         let of_means = atrous.luminance_weight == LuminanceWeight::OfMeans;
         let of_specular = of_means && atrous.reflection.is_some_and(|reflection| !reflection.mixed);
-        let marked = of_specular && estimate.images().last().is_some_and(|image| self.is_marked(*image));
+        let marked = of_specular && estimate.images().last().is_some_and(|image| self.writer_has(*image, "MARKED"));
         self.levels(levels, estimate, |name, level| {
             level_pass(&node, name, module, level)
                 .constant("KERNEL", atrous.kernel as u32)
@@ -121,12 +120,6 @@ impl Graph {
                 .bind_some("material_class", guides.material_class)
                 .bind_some("reflection", atrous.reflection.map(|reflection| reflection.image))
         })
-    }
-
-    /// Whether a deviation says where light is rare.
-    fn is_marked(&self, estimate: Image) -> bool {
-        let writer = self.writer_of(estimate).and_then(PassDecl::pipeline);
-        writer.is_some_and(|pipeline| pipeline.constants.iter().any(|constant| constant.name == "MARKED" && constant.bits == 1))
     }
 
     /// Filters the radiance of a volume: weights by the depth of the surface behind and by luminance \[PSVGF\].

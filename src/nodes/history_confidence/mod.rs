@@ -28,12 +28,21 @@ impl Graph {
         self.confidence_by(pass)
     }
 
-    /// [`Self::tested_confidence`] of diffuse light and, without the ratio, of specular light: in one pass.
-    pub(crate) fn tested_confidence_of_each(&mut self, gradient: &Gradient, differences: [&Difference; 2]) -> [Confidence; 2] {
-        let differences = self.pair(differences[0], differences[1]);
-        let specular = self.named_image("history_confidence", "specular", CONFIDENCE, 1, Lifetime::Transient);
-        let pass = self.tested(gradient, &differences).bind("history_confidence_1", specular);
-        [self.confidence_by(pass), Port::of(self.refreshed(specular))]
+    /// [`Self::tested_confidence`] of diffuse light, and beside it, in the last bits, that of specular light without the ratio.
+    pub(crate) fn tested_confidence_of_both(
+        &mut self,
+        gradient: &Gradient,
+        diffuse: &Difference,
+        specular: &Difference,
+    ) -> Confidence {
+        let differences = self.pair(diffuse, specular);
+        let pass = self.tested(gradient, &differences).constant("BOTH", 1);
+        self.confidence_by(pass)
+    }
+
+    /// Whether a confidence has that of specular light beside it.
+    pub(super) fn is_of_both(&self, confidence: &Confidence) -> bool {
+        self.writer_has(confidence.image(), "BOTH")
     }
 
     fn tested(&mut self, gradient: &Gradient, difference: &Difference) -> Pass {

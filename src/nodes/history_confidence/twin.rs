@@ -3,9 +3,10 @@
 use crate::nodes::change_test::twin::change_test;
 use crate::reference::bindings::Bindings;
 use crate::reference::blocks::Blocks;
-use crate::reference::compare::Rule;
+use crate::reference::both_confidences::both_confidences;
+use crate::reference::compare::{Condition, Reading, Rule, Tolerance, Unit};
 use crate::reference::light_ratio::stratum_coherence;
-use crate::reference::rules::{pixels, HALF};
+use crate::reference::rules::{pixels, rule, HALF};
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Error, FrameConstants, Tuning};
 
@@ -77,7 +78,13 @@ fn change(tuning: &Tuning, [change, brightest, ..]: [f32; 4]) -> f32 {
 }
 
 /// How what it writes is compared with the GPU.
-pub(crate) const RULES: &[Rule] = &[pixels("history_confidence", HALF), pixels("history_confidence_1", HALF)];
+pub(crate) const RULES: &[Rule] = &[
+    pixels("history_confidence", HALF),
+    Rule {
+        when: Condition::Is("BOTH", 1),
+        ..rule("history_confidence", Unit::Pixel, Reading::SpecularConfidence, Tolerance { absolute: 1e-3, ..HALF })
+    },
+];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
@@ -88,33 +95,33 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     }
     if !b.has("block_difference_0") {
         let (other, steadiness) = (b.optional_scalar("other_confidence")?, b.optional_scalar("steadiness")?);
-        return write_of_gradient(b, "history_confidence", other, steadiness);
+        let confidence = of_gradient(b, other, steadiness, b.optional_colour("light_ratio")?)?;
+        return b.write("history_confidence", confidence);
     }
-    let differences = b.packed_signals("block_difference")?;
-    if !b.has("history_confidence_1") {
-        return write_tested(b, "history_confidence", &differences);
-    }
-    write_tested(b, "history_confidence", &differences[..1])?;
-    write_tested(b, "history_confidence_1", &differences[1..])
+    let (differences, light_ratio) = (b.packed_signals("block_difference")?, b.optional_colour("light_ratio")?);
+    let confidence = if b.is_on("BOTH")? {
+        let (diffuse, specular) = (tested(b, &differences[..1], light_ratio)?, tested(b, &differences[1..], None)?);
+        Image::compute(diffuse.extent(), b.frame.render_extent, |p| both_confidences(diffuse.at(p), specular.at(p)))
+    } else {
+        tested(b, &differences, light_ratio)?
+    };
+    b.write("history_confidence", confidence)
 }
 
-fn write_tested(b: &mut Bindings, output: &str, differences: &[&Image<[u16; 4]>]) -> Result<(), Error> {
-    let tested = change_test(b.frame, b.tuning, b.extent_of(output)?, differences);
-    write_of_gradient(b, output, Some(&tested.history_confidence), Some(&tested.steadiness))
+fn tested(b: &Bindings, differences: &[&Image<[u16; 4]>], light_ratio: Option<&Image<[f32; 4]>>) -> Result<Image<f32>, Error> {
+    let tested = change_test(b.frame, b.tuning, b.extent_of("history_confidence")?, differences);
+    of_gradient(b, Some(&tested.history_confidence), Some(&tested.steadiness), light_ratio)
 }
 
-/// No ratio scales the history of specular light.
-fn write_of_gradient(
-    b: &mut Bindings,
-    output: &str,
+fn of_gradient(
+    b: &Bindings,
     other: Option<&Image<f32>>,
     steadiness: Option<&Image<f32>>,
-) -> Result<(), Error> {
-    let light_ratio = if output == "history_confidence" { b.optional_colour("light_ratio")? } else { None };
+    light_ratio: Option<&Image<[f32; 4]>>,
+) -> Result<Image<f32>, Error> {
     let (gradient, stratum_size) = (b.colour("gradient")?, b.stratum_size()?);
     let input = HistoryConfidenceInput::Gradient { gradient, stratum_size, light_ratio, other, steadiness };
-    let confidence = history_confidence(b.frame, b.tuning, b.extent_of(output)?, input);
-    b.write(output, confidence)
+    Ok(history_confidence(b.frame, b.tuning, b.extent_of("history_confidence")?, input))
 }
 
 #[cfg(test)]

@@ -79,6 +79,7 @@ impl Graph {
             .constant("FILTERED", u32::from(*feedback == Feedback::Filtered))
             .constant("SHARP", u32::from(parameters.sharp))
             .constant("MIXED", u32::from(parameters.mixed))
+            .constant("BESIDE_DIFFUSE", parameters.confidence.is_some_and(|confidence| self.is_of_both(&confidence)).into())
             .value("alpha", parameters.alpha)
             .value("alpha_moments", parameters.alpha_moments)
             .bind("guide", guides.guide)

@@ -4,6 +4,7 @@ use crate::nodes::demodulate::twin::reflectance;
 use crate::nodes::temporal_accumulation::twin::{blend, fresh, AlphaBounds, Reprojected};
 use crate::reference::binary16::LARGEST_HALF;
 use crate::reference::bindings::Bindings;
+use crate::reference::both_confidences::specular_confidence;
 use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
 use crate::reference::conventions::{is_reset, roughness_channel};
 use crate::reference::guide::{unpack_guide, Surface};
@@ -277,6 +278,8 @@ pub(crate) const RULES: &[Rule] = &[
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let transforms = b.instance_transforms()?;
     let luminance_history = luminance_history_of(b.uint("previous_luminance_history")?);
+    let (confidence, is_beside_diffuse) = (b.optional_scalar("history_confidence")?, b.is_on("BESIDE_DIFFUSE")?);
+    let own_confidence = confidence.map(|image| if is_beside_diffuse { image.map(|c| specular_confidence(*c)) } else { image.clone() });
     let inputs = SpecularAccumulationInputs {
         guide: b.packed("guide")?,
         surface_motion: b.packed("surface_motion")?,
@@ -286,7 +289,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         is_mixed: b.is_on("MIXED")?,
         reflectances: b.optional_colour("albedo")?.zip(b.optional_colour("specular_albedo")?).map(Into::into),
         roughness: b.optional_colour("roughness")?,
-        history_confidence: b.optional_scalar("history_confidence")?,
+        history_confidence: own_confidence.as_ref(),
         material_class: b.optional_uint("material_class")?,
         instances: Instances {
             hit_id: b.optional_uint("specular_hit_id")?,

@@ -2,14 +2,16 @@
 
 use super::*;
 use crate::config::{Preset, Signals};
+use crate::reference::both_confidences::specular_confidence;
 use crate::Declaration;
 
 const EXTENT: [u32; 2] = [24, 24];
 
-/// Confidence of specular light where it has its own.
+/// Confidence of specular light where it has an image of its own, and beside that of diffuse light.
 const SPECULAR: &str = "history_confidence_specular";
+const BOTH: &str = "history_confidence";
 
-/// The least confidence in the history of diffuse light and in that of specular light, the image of this name, in a frame in which
+/// The least confidence in the history of diffuse light and in that of specular light, in the image of this name, in a frame in which
 /// their light is so many times brighter; and the radiance of both in the middle.
 fn after(declaration: Declaration, reshaded: bool, of_specular: &str, [diffuse, specular]: [f32; 2]) -> ([f32; 2], f32) {
     let mut engine = Engine::new(declaration).expect("twins").keep_transients();
@@ -25,12 +27,17 @@ fn after(declaration: Declaration, reshaded: bool, of_specular: &str, [diffuse, 
         }
         engine.run(&FrameParams { reshaded, ..FrameParams::new(EXTENT) }, &Tuning::default()).expect("frame");
     }
-    let confidence = |name| match engine.texels(name, UseFrame::Current).expect(name) {
-        Texels::Scalar(image) => image.texels().iter().copied().fold(f32::INFINITY, f32::min),
+    let least = |name, of: fn(f32) -> f32| match engine.texels(name, UseFrame::Current).expect(name) {
+        Texels::Scalar(image) => image.texels().iter().map(|c| of(*c)).fold(f32::INFINITY, f32::min),
         other => panic!("{name} is {}", other.kind()),
     };
+    let confidence = match of_specular {
+        // What is left of diffuse light is less by a part in 4096 at most.
+        BOTH => [least(BOTH, |c| (c * 2048.0).round() / 2048.0), least(BOTH, specular_confidence)],
+        _ => [BOTH, of_specular].map(|name| least(name, |c| c)),
+    };
     let Ok(Texels::Colour(denoised)) = engine.texels("denoised_radiance", UseFrame::Current) else { panic!("a picture") };
-    (["history_confidence", of_specular].map(confidence), denoised.at(glam::IVec2::splat(12))[0])
+    (confidence, denoised.at(glam::IVec2::splat(12))[0])
 }
 
 fn of_preset(preset: Preset) -> Declaration {
@@ -40,7 +47,7 @@ fn of_preset(preset: Preset) -> Declaration {
 #[test]
 fn light_that_rises_as_a_whole_rises_in_reflections_too() {
     // Diffuse history follows the ratio of the light. That of specular light does not, and may not be trusted for its sake.
-    let (confidence, sum) = after(of_preset(Preset::Best), true, SPECULAR, [4.0, 4.0]);
+    let (confidence, sum) = after(of_preset(Preset::Best), true, BOTH, [4.0, 4.0]);
     assert_eq!(confidence, [1.0, 0.0]);
     assert!((sum - 8.0).abs() < 0.05, "{sum}");
 }
@@ -48,9 +55,10 @@ fn light_that_rises_as_a_whole_rises_in_reflections_too() {
 #[test]
 fn the_change_test_sees_light_that_changes_in_reflections_alone() {
     // Reflections of light that changes are not trusted by two presets; the third asks the reflections alone.
-    for (preset, of_diffuse) in [(Preset::Percentile, 0.0), (Preset::Fast, 0.0), (Preset::Best, 1.0)] {
+    let presets = [(Preset::Percentile, SPECULAR, 0.0), (Preset::Fast, SPECULAR, 0.0), (Preset::Best, BOTH, 1.0)];
+    for (preset, of_specular, of_diffuse) in presets {
         for (light, expected) in [([1.0, 1.0], [1.0, 1.0]), ([1.0, 4.0], [1.0, 0.0]), ([4.0, 1.0], [0.0, of_diffuse])] {
-            let (confidence, _) = after(of_preset(preset), false, SPECULAR, light);
+            let (confidence, _) = after(of_preset(preset), false, of_specular, light);
             assert_eq!(confidence, expected, "{preset}: {light:?}");
         }
     }
