@@ -24,7 +24,7 @@ use std::path::Path;
 const MAX_TRANSFORMS: u64 = 10_000_000 * size_of::<InstanceTransform>() as u64;
 
 /// Images with the noise that is filtered.
-const NOISY: [&str; 5] = ["noisy_radiance", "noisy_direct", "noisy_indirect", "noisy_diffuse", "noisy_specular"];
+pub(crate) const NOISY: [&str; 5] = ["noisy_radiance", "noisy_direct", "noisy_indirect", "noisy_diffuse", "noisy_specular"];
 
 /// Inputs of a frame.
 #[derive(Debug)]

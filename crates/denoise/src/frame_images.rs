@@ -181,9 +181,11 @@ impl Channels<'_> {
     }
 
     /// The reflectance of what is filtered with it. A renderer's albedo for denoisers has the light in it
-    /// that glass and hair pass on, and the coat, which specular light apart has no use for.
+    /// that glass and hair pass on, and the coat, which specular light apart has no use for. That of Blender has lamps and sky in it, too: where
+    /// one of them is a part of a pixel, light that is filtered would be multiplied by them.
     fn albedo(&mut self, is_specular: bool) -> Option<Texels> {
-        let albedo = self.vectors(Role::Albedo);
+        let emission = self.setup.mapping.is_for_denoisers(Role::Albedo).then(|| self.emission()).flatten();
+        let albedo = self.vectors(Role::Albedo).map(|all| without(&all, &emission));
         let parts = (self.vectors(Role::DiffuseColour), self.vectors(Role::SpecularAlbedo));
         match (albedo, parts) {
             (Some(all), (Some(base), coat)) if is_specular => {

@@ -32,6 +32,7 @@ pub mod motion;
 mod negative;
 mod old_tunables;
 pub mod options;
+mod outlines;
 pub mod output_size;
 mod panics;
 mod pictures;

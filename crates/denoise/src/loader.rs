@@ -4,6 +4,7 @@ use crate::error::Result;
 use crate::frame::{self, FrameInputs};
 use crate::frame_files::FrameFiles;
 use crate::motion::{self, SurfaceMotion};
+use crate::outlines::Outlines;
 use crate::setup::Setup;
 use atrous::config::{Conventions, MotionDepth};
 use atrous::FrameParams;
@@ -18,12 +19,13 @@ const SAME: f32 = 0.1;
 pub struct Loader<'a> {
     setup: &'a Setup,
     previous: Option<(u64, FrameParams, SurfaceMotion)>,
+    outlines: Outlines,
 }
 
 impl<'a> Loader<'a> {
     /// A loader that has read nothing.
     pub fn new(setup: &'a Setup) -> Self {
-        Self { setup, previous: None }
+        Self { setup, previous: None, outlines: Outlines::default() }
     }
 
     /// Reads the next frame.
@@ -32,17 +34,28 @@ impl<'a> Loader<'a> {
     /// Errors of [`frame::load`].
     pub fn load(&mut self, files: &FrameFiles) -> Result<FrameInputs> {
         let mut inputs = frame::load(files, self.setup)?;
+        let is_jittered = inputs.params.jitter != [0.0; 2];
+        let averages = self.setup.averages_outlines() && inputs.images.contains_key("motion") && !is_jittered;
+        if !averages && !self.setup.carries_depth {
+            return Ok(inputs);
+        }
+        let previous = self.previous.take().filter(|(number, ..)| number + self.setup.step == inputs.number);
+        let before = previous.as_ref().map_or(inputs.params, |(_, params, _)| *params);
+        let surface = motion::of_frame(&inputs, &before, &without_depth(self.setup));
+        if previous.is_none() || inputs.params.reset.is_some() {
+            self.outlines.reset();
+        }
+        if averages {
+            self.outlines.average(&mut inputs.images, &surface, inputs.params.render_extent);
+        }
         if self.setup.carries_depth {
-            let previous = self.previous.take().filter(|(number, ..)| number + self.setup.step == inputs.number);
-            let before = previous.as_ref().map_or(inputs.params, |(_, params, _)| *params);
-            let surface = motion::of_frame(&inputs, &before, &without_depth(self.setup));
             let still = StillWorld::of(&inputs, &before, self.setup);
             let depths = previous_depths(&surface, &still, previous.as_ref().map(|p| &p.2), inputs.params.render_extent);
             for (texel, z) in inputs.images.get_mut("motion").into_iter().flatten().zip(depths) {
                 texel[2] = z;
             }
-            self.previous = Some((inputs.number, inputs.params, surface));
         }
+        self.previous = Some((inputs.number, inputs.params, surface));
         Ok(inputs)
     }
 }

@@ -98,6 +98,11 @@ impl Mapping {
         self.roles.contains_key(&role)
     }
 
+    /// Whether a role has channels that Blender writes for denoisers.
+    pub fn is_for_denoisers(&self, role: Role) -> bool {
+        self.roles.get(&role).is_some_and(|names| names.iter().any(|name| name.to_lowercase().contains("denoising ")))
+    }
+
     fn has_colour(&self) -> bool {
         self.has(Role::Noisy)
             || (self.has(Role::Direct) && self.has(Role::Indirect))

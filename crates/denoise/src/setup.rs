@@ -268,6 +268,12 @@ impl Setup {
         self.sequence.as_ref().is_some_and(|s| s.verbatim)
     }
 
+    /// Whether outlines of lamps and of the sky may be averaged over frames: where the result is of that size, and nobody else does it.
+    pub fn averages_outlines(&self) -> bool {
+        let of_frames = self.config.light_extent.is_none() && self.config.output_extent.is_none();
+        of_frames && !self.stills && !self.is_verbatim()
+    }
+
     /// Tunables of a frame.
     pub fn tuning(&self, number: u64) -> Result<Tuning> {
         let mut tuning = Tuning::for_preset(self.config.preset);

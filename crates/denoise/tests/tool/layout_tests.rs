@@ -6,6 +6,7 @@ use atrous_denoise::error::ToolError;
 use atrous_denoise::frame;
 use atrous_denoise::frame_files;
 use atrous_denoise::layouts::Layout;
+use atrous_denoise::loader::Loader;
 use atrous_denoise::roles::Role;
 use atrous_denoise::sampling::Pattern;
 use atrous_denoise::setup::{Options, Setup};
@@ -135,6 +136,66 @@ fn blender_with_glossy_passes() {
     // Combined 1 = emission 0.125 + specular (0.75 + 0.25)·0.25 + the rest.
     assert_eq!((image("noisy_specular"), image("noisy_diffuse"), image("specular_albedo")), (0.25, 0.625, 0.25));
     assert_eq!((inputs.noisy[1][0], image("albedo")), (1.0, 0.5));
+}
+
+/// Blender's albedo for denoisers has the lamps and the sky in it that a pixel shows in part.
+#[test]
+fn blender_with_lamps_in_its_albedo() {
+    let half = Type::Half;
+    let light = Sample::new(8, 6)
+        .flat("ViewLayer.Combined.R ViewLayer.Combined.G ViewLayer.Combined.B", half, 1.0)
+        .flat("ViewLayer.Depth.Z", Type::Float, 3.0)
+        .flat("ViewLayer.DiffCol.R ViewLayer.DiffCol.G ViewLayer.DiffCol.B", half, 0.125);
+    let with_emission = |sample: Sample| {
+        let given = [("Denoising Albedo", 1.0), ("Emit", 0.25), ("Env", 0.25)];
+        let channels =
+            given.into_iter().flat_map(|(name, value)| ["R", "G", "B"].map(|c| (format!("ViewLayer.{name}.{c}"), value)));
+        channels.fold(sample, |sample, (name, value)| sample.channel(&name, half, move |_, _| value))
+    };
+    // Base 0.125, and as much that glass passes on.
+    let glossy = "ViewLayer.GlossCol.R ViewLayer.GlossCol.G ViewLayer.GlossCol.B";
+    let glossy_light = "ViewLayer.GlossDir.R ViewLayer.GlossDir.G ViewLayer.GlossDir.B \
+                        ViewLayer.GlossInd.R ViewLayer.GlossInd.G ViewLayer.GlossInd.B";
+    let (_folder, _, inputs) = good(&with_emission(light).flat(glossy, half, 0.25).flat(glossy_light, half, 0.5));
+    assert_eq!(inputs.images["albedo"][1][..3], [0.25; 3]);
+    // One light, with the coat.
+    let whole = Sample::new(8, 6).flat("ViewLayer.Combined.R ViewLayer.Combined.G ViewLayer.Combined.B", half, 1.0).flat(
+        "ViewLayer.Depth.Z",
+        Type::Float,
+        3.0,
+    );
+    let (_folder, _, inputs) = good(&with_emission(whole));
+    assert_eq!(inputs.images["albedo"][1][..3], [0.5; 3]);
+}
+
+/// A pixel beside a lamp, which it covers more or less from frame to frame.
+fn beside_a_lamp(options: &Options) -> Vec<f32> {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    for (i, covered) in [0.0, 1.0, 0.5, 0.25, 0.75, 0.0].into_iter().enumerate() {
+        let light = move |x: i32| 0.5 + 4.0 * if x < 8 { 1.0 } else { f32::from(x == 8) * covered };
+        let mut sample = Sample::new(16, 12)
+            .channel("ViewLayer.Depth.Z", Type::Float, |x, _| if x < 8 { 3.0 } else { 1e10 })
+            .channel("ViewLayer.IndexOB.X", Type::Float, |x, _| if x < 8 { 1.0 } else { 0.0 })
+            .flat("ViewLayer.Vector.X ViewLayer.Vector.Y", Type::Float, 0.0);
+        for channel in ["Combined.R", "Combined.G", "Combined.B", "Emit.R", "Emit.G", "Emit.B"] {
+            sample = sample.channel(&format!("ViewLayer.{channel}"), Type::Float, move |x, _| light(x));
+        }
+        sample.write(&folder.path().join(format!("f_{i:04}.exr")));
+    }
+    let frames = frame_files::find(&[folder.path().to_owned()]).expect("frames");
+    let setup = Setup::new(&frames, options).expect("a layout");
+    let mut loader = Loader::new(&setup);
+    frames.iter().map(|files| loader.load(files).expect("a frame").images["emission"][16 * 6 + 8][0]).collect()
+}
+
+#[test]
+fn the_outline_of_a_lamp_is_averaged_over_frames() {
+    let given = [0.5, 4.5, 2.5, 1.5, 3.5, 0.5];
+    let averaged = beside_a_lamp(&Options::default());
+    assert_eq!(averaged[..2], given[..2]);
+    assert!(averaged[5] > 1.5 && averaged[5] < 3.0, "{averaged:?}");
+    let enlarged = Options { output_size: Some([32, 24]), ..Options::default() };
+    assert_eq!(beside_a_lamp(&enlarged), given, "the stage that makes the larger picture does it itself");
 }
 
 /// What fog scatters is filtered as a volume, and is no part of the surfaces.

@@ -1,0 +1,409 @@
+//! Outlines of what passes the filter, averaged over frames: those of lamps, and of things before the sky.
+//!
+//! Nothing filters what is emitted, and the background. But a renderer that spreads a few samples over each pixel does not know how much of the
+//! pixel a lamp covers, and its outline is noise. Here the outline of the frame before is carried along, and is worth as many frames as the noise is
+//! larger than the blur of carrying it. Both are measured over all outlines of a frame: of what is converged nothing is averaged, and nothing where
+//! all samples lie in the middle of their pixels, so that the lamp covers all of a pixel or nothing. docs/lab/denoise.md has the figures.
+
+use crate::frame::NOISY;
+use crate::frame_images::Texels;
+use crate::motion::SurfaceMotion;
+use std::collections::BTreeMap;
+
+const EMISSION: &str = "emission";
+
+/// Contrast of an outline: the range of 3×3 pixels over the brightest of them.
+const CONTRAST: f32 = 0.3;
+/// Shares of that range between which a pixel is covered in part.
+const PART: std::ops::Range<f32> = 0.08..0.92;
+/// Share of such pixels among all, below which samples lie in the middle of their pixels.
+const LEAST_PARTS: f32 = 0.1;
+/// The weight of a frame in a mean that is tried: how well that tells the next frame, and the frame before does, says what is noise.
+const TRIED: f32 = 0.25;
+/// How much further off that mean is, in variance, where carrying alone makes a difference. Half of it after two frames.
+const TRIED_OFF: f32 = 2.3;
+/// What carrying adds to the variance of a mean, over that by which the frame before is off: a mean is smoother.
+const OF_MEAN: f32 = 0.6;
+const MOST_FRAMES: f32 = 16.0;
+/// An outline that was carried by less stands still.
+const STILL: f32 = 0.01;
+
+/// Outlines up to a frame.
+#[derive(Default)]
+pub struct Outlines {
+    /// By the names of images.
+    before: BTreeMap<&'static str, Past>,
+}
+
+/// Width and height of a picture.
+#[derive(Clone, Copy)]
+struct Size([usize; 2]);
+
+/// A pixel beside one that shows something else.
+struct Border {
+    pixel: usize,
+    /// A pixel around it of a background without anything before it.
+    open: Option<usize>,
+    /// Where it was, in pixels.
+    before: [f32; 2],
+    /// How far off it may be that was carried, 0 to 1: half a pixel along both axes.
+    carried: f32,
+}
+
+/// A border in an image.
+struct Edge<'a> {
+    border: &'a Border,
+    luminance: f32,
+    /// Of the luminance around.
+    range: [f32; 2],
+    /// Whether the pixel is covered in part.
+    is_part: bool,
+}
+
+/// An image of the frame before.
+struct Past {
+    luminance: Vec<f32>,
+    mean: Vec<[f32; 3]>,
+    /// That the mean is worth.
+    frames: Vec<f32>,
+    /// Luminance of the mean that is tried.
+    tried: Vec<f32>,
+    /// Frames in that mean.
+    number: i32,
+}
+
+/// Of the outlines of a frame, in squared ranges.
+#[derive(Clone, Copy, Default)]
+struct Noise {
+    variance: f32,
+    /// By which an outline is off that was carried half a pixel along both axes.
+    off: f32,
+}
+
+impl Outlines {
+    /// Forgets the frames so far.
+    pub fn reset(&mut self) {
+        self.before.clear();
+    }
+
+    /// Takes the next frame, and puts means into its outlines: into its emission, and into its light where no surface is.
+    pub fn average(&mut self, images: &mut BTreeMap<&'static str, Texels>, surface: &SurfaceMotion, extent: [u32; 2]) {
+        let size = Size(extent.map(|side| side as usize));
+        let borders = borders(surface, size);
+        for (name, texels) in images.iter_mut().filter(|(name, _)| **name == EMISSION || NOISY.contains(name)) {
+            let is_emission = *name == EMISSION;
+            let passes = borders.iter().filter(|border| is_emission || !surface.is_surface[border.pixel]);
+            let edges: Vec<_> = passes.filter_map(|border| Edge::of(border, texels, size, is_emission)).collect();
+            let next = Past::next(self.before.get(name), texels, edges, size);
+            for (texel, [r, g, b]) in texels.iter_mut().zip(&next.mean) {
+                *texel = [*r, *g, *b, texel[3]];
+            }
+            self.before.insert(name, next);
+        }
+    }
+}
+
+impl Past {
+    fn next(before: Option<&Self>, given: &Texels, mut edges: Vec<Edge<'_>>, size: Size) -> Self {
+        let luminance: Vec<f32> = given.iter().map(luminance).collect();
+        let mut next = Self {
+            tried: luminance.clone(),
+            luminance,
+            mean: given.iter().map(|[r, g, b, _]| [*r, *g, *b]).collect(),
+            frames: vec![1.0; given.len()],
+            number: before.map_or(1, |before| before.number + 1),
+        };
+        let Some(before) = before else { return next };
+        let parts = edges.iter().filter(|edge| edge.is_part).count() as f32;
+        if parts < LEAST_PARTS * edges.len() as f32 {
+            edges.retain(|edge| edge.border.carried < STILL);
+        }
+        let noise = before.noise_of(&edges, size);
+        for Edge { border, .. } in edges {
+            let Border { pixel, before: place, carried, .. } = *border;
+            let Some((_, tried, past)) = before.carried(place, size) else { continue };
+            next.tried[pixel] = tried + TRIED * (next.tried[pixel] - tried);
+            if noise.variance > 0.0 {
+                let off = if carried < STILL { 0.0 } else { OF_MEAN * noise.off * carried };
+                let frames = before.frames[size.nearest(place)];
+                next.frames[pixel] = (1.0 + frames / (1.0 + frames * off / noise.variance)).min(MOST_FRAMES);
+                let (least, most) = range_of(size.beside(pixel).map(|i| given[i]));
+                for (c, mean) in next.mean[pixel].iter_mut().enumerate() {
+                    let past = past[c].clamp(least[c], most[c]);
+                    *mean = past + (*mean - past) / next.frames[pixel];
+                }
+            }
+        }
+        next
+    }
+
+    /// Luminance given and tried, and the mean, at a place between the centres of pixels.
+    fn carried(&self, place: [f32; 2], size: Size) -> Option<(f32, f32, [f32; 3])> {
+        let (mut given, mut tried, mut mean) = (0.0, 0.0, [0.0; 3]);
+        for (i, weight) in size.taps(place)? {
+            given += weight * self.luminance[i];
+            tried += weight * self.tried[i];
+            (0..3).for_each(|c| mean[c] += weight * self.mean[i][c]);
+        }
+        [given, tried, mean[0], mean[1], mean[2]].iter().all(|v| v.is_finite()).then_some((given, tried, mean))
+    }
+
+    /// With noise alone the mean tells the frame after better than the frame before does, and where carrying alone makes a difference it tells it
+    /// less well: two equations.
+    fn noise_of(&self, edges: &[Edge<'_>], size: Size) -> Noise {
+        let worse = TRIED_OFF - (TRIED_OFF - 1.0) * 0.5_f32.powi(self.number - 1);
+        let (mut better, mut by_noise, mut squares, mut of_noise, mut carried) = (0.0, 0.0, 0.0, 0.0, 0.0);
+        for edge in edges {
+            let Some((given, tried, _)) = self.carried(edge.border.before, size) else { continue };
+            let range = (edge.range[1] - edge.range[0]).powi(2);
+            let [of_given, of_tried] = [given, tried].map(|past| (edge.luminance - past).powi(2));
+            // Between pixels noise is averaged, and that of a mean each time that it is carried.
+            let kept = (1.0 - 0.5 * edge.border.carried).powi(2);
+            let of_mean = (1..self.number).fold(1.0, |left, _| (1.0 - TRIED).powi(2) * kept * left + TRIED * TRIED);
+            better += worse * of_given - of_tried;
+            by_noise += range * (worse * (1.0 + kept) - 1.0 - kept * of_mean);
+            squares += of_given;
+            of_noise += range * (1.0 + kept);
+            carried += range * edge.border.carried;
+        }
+        let over = |value: f32, whole: f32| if whole > 0.0 { (value / whole).max(0.0) } else { 0.0 };
+        let variance = over(better, by_noise);
+        Noise { variance, off: over(squares - variance * of_noise, carried) }
+    }
+}
+
+impl<'a> Edge<'a> {
+    /// `None` where there is no contrast, and where something is not finite.
+    fn of(border: &'a Border, image: &Texels, size: Size, is_emission: bool) -> Option<Self> {
+        let own = luminance(&image[border.pixel]);
+        let (mut least, mut most) = (own, own);
+        for l in size.around(border.pixel).map(|i| luminance(&image[i])) {
+            if !l.is_finite() {
+                return None;
+            }
+            (least, most) = (least.min(l), most.max(l));
+        }
+        let is_part = match border.open {
+            _ if is_emission => PART.contains(&((own - least) / (most - least))),
+            // The light of surfaces around has noise of its own.
+            Some(open) => (own - luminance(&image[open])).abs() > PART.start * (most - least),
+            None => false,
+        };
+        (most - least > CONTRAST * most).then_some(Self { border, luminance: own, range: [least, most], is_part })
+    }
+}
+
+fn borders(surface: &SurfaceMotion, size: Size) -> Vec<Border> {
+    let kind = |i: usize| (surface.id[i], surface.is_surface[i]);
+    let is_inner = |pixel: usize| size.around(pixel).all(|i| kind(i) == kind(pixel));
+    let border = |pixel: usize| {
+        if is_inner(pixel) {
+            return None;
+        }
+        // An outline moves with what is in front.
+        let distance = |i: usize| if surface.is_surface[i] { surface.depth[i] } else { f32::INFINITY };
+        let front = size.around(pixel).min_by(|a, b| distance(*a).total_cmp(&distance(*b))).unwrap_or(pixel);
+        let ([x, y], motion) = (size.place(pixel), surface.motion_px[front]);
+        let before = [x as f32 + motion[0], y as f32 + motion[1]];
+        let carried = before.iter().map(|at| 2.0 * (at - at.floor()) * (1.0 - at + at.floor())).sum();
+        let open = size.around(pixel).find(|i| !surface.is_surface[*i] && is_inner(*i));
+        Some(Border { pixel, open, before, carried })
+    };
+    (0..size.0[0] * size.0[1]).filter_map(border).collect()
+}
+
+impl Size {
+    fn place(self, pixel: usize) -> [usize; 2] {
+        [pixel % self.0[0], pixel / self.0[0]]
+    }
+
+    /// The 3×3 pixels around one, as far as they exist.
+    fn around(self, pixel: usize) -> impl Iterator<Item = usize> {
+        let (Self([width, height]), [x, y]) = (self, self.place(pixel));
+        let columns = x.saturating_sub(1)..width.min(x + 2);
+        (y.saturating_sub(1)..height.min(y + 2)).flat_map(move |y| columns.clone().map(move |x| y * width + x))
+    }
+
+    /// A pixel with those left, right, above and below.
+    fn beside(self, pixel: usize) -> impl Iterator<Item = usize> {
+        let [x, y] = self.place(pixel);
+        self.around(pixel).filter(move |i| self.place(*i)[0] == x || self.place(*i)[1] == y)
+    }
+
+    /// The pixel at a place inside of the picture.
+    fn nearest(self, [x, y]: [f32; 2]) -> usize {
+        let Self([width, height]) = self;
+        (y.round() as usize).min(height - 1) * width + (x.round() as usize).min(width - 1)
+    }
+
+    /// The pixels around a place, with their weights; `None` beyond the picture.
+    fn taps(self, [x, y]: [f32; 2]) -> Option<[(usize, f32); 4]> {
+        let Self([width, height]) = self;
+        let is_inside = |at: f32, side: usize| at >= -0.5 && at <= side as f32 - 0.5;
+        if !is_inside(x, width) || !is_inside(y, height) {
+            return None;
+        }
+        let (x, y) = (x.clamp(0.0, (width - 1) as f32), y.clamp(0.0, (height - 1) as f32));
+        let (left, top) = (x.floor(), y.floor());
+        let ([fx, fy], [column, row]) = ([x - left, y - top], [left as usize, top as usize]);
+        let tap = |dx: usize, dy: usize, weight: f32| ((row + dy).min(height - 1) * width + (column + dx).min(width - 1), weight);
+        Some([tap(0, 0, (1.0 - fx) * (1.0 - fy)), tap(1, 0, fx * (1.0 - fy)), tap(0, 1, (1.0 - fx) * fy), tap(1, 1, fx * fy)])
+    }
+}
+
+fn luminance([r, g, b, _]: &[f32; 4]) -> f32 {
+    0.2126 * r + 0.7152 * g + 0.0722 * b
+}
+
+/// The least and the greatest of each component.
+fn range_of(texels: impl Iterator<Item = [f32; 4]>) -> ([f32; 3], [f32; 3]) {
+    texels.fold(([f32::MAX; 3], [f32::MIN; 3]), |(least, most), texel| {
+        (std::array::from_fn(|c| least[c].min(texel[c])), std::array::from_fn(|c| most[c].max(texel[c])))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const EXTENT: [u32; 2] = [48, 32];
+    const LAMP: f32 = 6.0;
+    const SKY: f32 = 0.5;
+
+    /// Places of samples in their pixels.
+    #[derive(Clone, Copy)]
+    enum Samples {
+        /// So many, anywhere.
+        Spread(u32),
+        Middle,
+    }
+
+    /// A round lamp before the sky, whose middle is at `x`.
+    fn emission(x: f32, samples: Samples, frame: u32) -> Texels {
+        let random = |seed: u32| {
+            let mut v = seed.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+            v = ((v >> ((v >> 28) + 4)) ^ v).wrapping_mul(277_803_737);
+            ((v >> 22) ^ v) as f32 / u32::MAX as f32
+        };
+        let covered = |px: f32, py: f32| (px - x).hypot(py - 16.0) < 9.0;
+        let pixel = |i: u32| {
+            let (px, py) = ((i % EXTENT[0]) as f32, (i / EXTENT[0]) as f32);
+            let share = match samples {
+                Samples::Middle => f32::from(covered(px + 0.5, py + 0.5)),
+                Samples::Spread(count) => {
+                    let seed = |s: u32, axis: u32| ((frame * 4096 + i) * 1024 + s) * 2 + axis;
+                    let hit = |s: &u32| covered(px + random(seed(*s, 0)), py + random(seed(*s, 1)));
+                    (0..count).filter(hit).count() as f32 / count as f32
+                }
+            };
+            [SKY + (LAMP - SKY) * share; 3]
+        };
+        (0..EXTENT[0] * EXTENT[1]).map(pixel).map(|[r, g, b]| [r, g, b, 0.0]).collect()
+    }
+
+    /// Guides of the lamp: of samples in the middle of pixels.
+    fn surface(x: f32, motion: f32) -> SurfaceMotion {
+        let lit: Vec<bool> = emission(x, Samples::Middle, 0).iter().map(|e| e[0] > 1.0).collect();
+        SurfaceMotion {
+            motion_px: lit.iter().map(|lit| [if *lit { -motion } else { 0.0 }, 0.0]).collect(),
+            previous_depth: vec![1.0; lit.len()],
+            depth: lit.iter().map(|lit| if *lit { 4.0 } else { 1e30 }).collect(),
+            id: lit.iter().map(|lit| u32::from(*lit)).collect(),
+            is_surface: lit,
+        }
+    }
+
+    /// RMSE over the outlines of the last of ten frames as given, and averaged.
+    fn errors(motion: f32, samples: Samples, name: &'static str) -> [f32; 2] {
+        let mut outlines = Outlines::default();
+        let mut last = [0.0; 2];
+        for frame in 0..10 {
+            let x = 18.0 + motion * frame as f32;
+            let truth = match samples {
+                Samples::Middle => emission(x, Samples::Middle, 0),
+                Samples::Spread(_) => emission(x, Samples::Spread(400), 77),
+            };
+            let (given, surface) = (emission(x, samples, frame), surface(x, motion));
+            let mut images = BTreeMap::from([(name, given.clone())]);
+            outlines.average(&mut images, &surface, EXTENT);
+            let borders = borders(&surface, Size(EXTENT.map(|side| side as usize)));
+            let passes: Vec<_> = borders.iter().filter(|b| name == EMISSION || !surface.is_surface[b.pixel]).collect();
+            let rmse = |image: &Texels| {
+                let squares = passes.iter().map(|b| (image[b.pixel][0] - truth[b.pixel][0]).powi(2)).sum::<f32>();
+                (squares / passes.len() as f32).sqrt()
+            };
+            last = [rmse(&given), rmse(&images[name])];
+        }
+        last
+    }
+
+    #[test]
+    fn noise_of_an_outline_is_averaged() {
+        for (name, in_motion) in [(EMISSION, 0.55), ("noisy_radiance", 0.65)] {
+            let [given, averaged] = errors(0.0, Samples::Spread(4), name);
+            assert!(averaged < 0.45 * given, "{name}, at rest: {averaged} of {given}");
+            let [given, averaged] = errors(0.4, Samples::Spread(2), name);
+            assert!(averaged < in_motion * given, "{name}, in motion: {averaged} of {given}");
+        }
+    }
+
+    #[test]
+    fn converged_outlines_stay() {
+        for motion in [0.0, 0.3, 0.5, 1.0] {
+            let [given, averaged] = errors(motion, Samples::Spread(400), EMISSION);
+            assert!(averaged < 1.15 * given + 0.01, "{motion}: {averaged} of {given}");
+        }
+    }
+
+    #[test]
+    fn outlines_of_samples_in_the_middle_of_pixels_stay() {
+        for motion in [0.0, 0.3, 1.0] {
+            assert_eq!(errors(motion, Samples::Middle, EMISSION), [0.0; 2], "{motion}");
+        }
+    }
+
+    #[test]
+    fn a_lamp_that_is_dimmed_leaves_nothing_brighter() {
+        let mut outlines = Outlines::default();
+        for frame in 0..8 {
+            let mut images = BTreeMap::from([(EMISSION, emission(18.0, Samples::Spread(4), frame))]);
+            outlines.average(&mut images, &surface(18.0, 0.0), EXTENT);
+        }
+        let dimmed =
+            emission(18.0, Samples::Spread(4), 8).iter().map(|texel| texel.map(|v| SKY + 0.1 * (v - SKY).max(0.0))).collect();
+        let mut images = BTreeMap::from([(EMISSION, dimmed)]);
+        outlines.average(&mut images, &surface(18.0, 0.0), EXTENT);
+        let brightest = images[EMISSION].iter().map(|texel| texel[0]).fold(0.0, f32::max);
+        assert!(brightest < SKY + 0.101 * (LAMP - SKY), "{brightest}");
+    }
+
+    #[test]
+    fn values_that_are_not_finite_stay_where_they_are() {
+        let mut outlines = Outlines::default();
+        for frame in 0..6 {
+            let mut given = emission(18.0, Samples::Spread(4), frame);
+            if frame > 3 {
+                given[16 * EXTENT[0] as usize + 9] = [f32::NAN; 4];
+            }
+            let mut images = BTreeMap::from([(EMISSION, given.clone())]);
+            outlines.average(&mut images, &surface(18.0, 0.0), EXTENT);
+            let bad = images[EMISSION].iter().filter(|texel| !texel[0].is_finite()).count();
+            let averaged = images[EMISSION].iter().zip(&given).filter(|(a, b)| a[0].is_finite() && a != b).count();
+            assert_eq!((bad, averaged > 0), (usize::from(frame > 3), frame > 1), "{frame}");
+        }
+    }
+
+    #[test]
+    fn after_a_reset_a_frame_is_as_it_came() {
+        let mut outlines = Outlines::default();
+        for frame in 0..6 {
+            let given = emission(18.0, Samples::Spread(4), frame);
+            let mut images = BTreeMap::from([(EMISSION, given.clone())]);
+            if frame == 5 {
+                outlines.reset();
+            }
+            outlines.average(&mut images, &surface(18.0, 0.0), EXTENT);
+            assert_eq!(images[EMISSION] == given, frame < 2 || frame == 5, "{frame}");
+        }
+    }
+}
