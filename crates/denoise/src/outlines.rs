@@ -21,7 +21,7 @@ const LEAST_PARTS: f32 = 0.1;
 /// The weight of a frame in a mean that is tried: how well that tells the next frame, and the frame before does, says what is noise.
 const TRIED: f32 = 0.25;
 /// How much further off that mean is, in variance, where carrying alone makes a difference. Half of it after two frames.
-const TRIED_OFF: f32 = 2.3;
+const TRIED_OFF: f32 = 2.0;
 /// What carrying adds to the variance of a mean, over that by which the frame before is off: a mean is smoother.
 const OF_MEAN: f32 = 0.6;
 const MOST_FRAMES: f32 = 16.0;
@@ -70,6 +70,8 @@ struct Past {
     tried: Vec<f32>,
     /// Frames in that mean.
     number: i32,
+    /// Variance, as measured.
+    noise: f32,
 }
 
 /// Of the outlines of a frame, in squared ranges.
@@ -112,13 +114,19 @@ impl Past {
             mean: given.iter().map(|[r, g, b, _]| [*r, *g, *b]).collect(),
             frames: vec![1.0; given.len()],
             number: before.map_or(1, |before| before.number + 1),
+            noise: 0.0,
         };
         let Some(before) = before else { return next };
         let parts = edges.iter().filter(|edge| edge.is_part).count() as f32;
         if parts < LEAST_PARTS * edges.len() as f32 {
             edges.retain(|edge| edge.border.carried < STILL);
         }
-        let noise = before.noise_of(&edges, size);
+        let mut noise = before.noise_of(&edges, size);
+        next.noise = noise.variance;
+        // What changes in a single frame is no noise.
+        if before.number > 2 {
+            noise.variance = noise.variance.min(before.noise);
+        }
         for Edge { border, .. } in edges {
             let Border { pixel, before: place, carried, .. } = *border;
             let Some((_, tried, past)) = before.carried(place, size) else { continue };
@@ -375,6 +383,19 @@ mod tests {
         outlines.average(&mut images, &surface(18.0, 0.0), EXTENT);
         let brightest = images[EMISSION].iter().map(|texel| texel[0]).fold(0.0, f32::max);
         assert!(brightest < SKY + 0.101 * (LAMP - SKY), "{brightest}");
+    }
+
+    #[test]
+    fn light_that_changes_in_one_frame_is_no_noise() {
+        let mut outlines = Outlines::default();
+        let converged = emission(18.0, Samples::Spread(400), 0);
+        let dimmed: Texels = converged.iter().map(|texel| texel.map(|v| SKY + 0.3 * (v - SKY).max(0.0))).collect();
+        for given in std::iter::repeat_n(&converged, 6).chain([&dimmed]) {
+            let mut images = BTreeMap::from([(EMISSION, given.clone())]);
+            outlines.average(&mut images, &surface(18.0, 0.0), EXTENT);
+            let changed = images[EMISSION].iter().zip(given).filter(|(a, b)| a != b).count();
+            assert_eq!(changed, 0);
+        }
     }
 
     #[test]
