@@ -26,10 +26,8 @@ layout(set = 0, binding = 7) uniform utexture2D previous_luminance_history;
 layout(set = 0, binding = 8, rgba16ui) uniform writeonly uimage2D block_difference;
 
 #define guide_at(p) imageLoad(guide, p)
-#define irradiance_of(signal, p) imageLoad(irradiance, p)
-#define history_of(signal, p) imageLoad(history, p)
-#define past_luminance_of(signal, p) texelFetch(previous_luminance_history, p, 0).x
-#define store_difference(signal, block, packed) imageStore(block_difference, block, packed)
+#define irradiance_at(p) imageLoad(irradiance, p)
+#define history_at(p) imageLoad(history, p)
 #include "block_difference.glsl"
 
-void main() { write_block_difference(0); }
+void main() { write_block_difference(); }

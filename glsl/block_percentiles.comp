@@ -2,10 +2,11 @@
 // Two percentiles of luminance in every block of 8x8 pixels: what is usual around here, in this frame alone.
 // Source: [PSVGF], block percentiles. Deviations: ranks by counting, for the bits of the published odd-even sort.
 // A bit says whether the brightest pixels are a cluster.
-// In:  guide, noisy irradiance. Out: block_percentiles, half2(low, up) of luminance, one texel a block; up is negative
-// where the pixels from up on lie beside each other in a darker block.
+// In:  guide, noisy irradiance of one signal or two. Out: block_percentiles of each, half2(low, up) of luminance, one texel a block; up is
+// negative where the pixels from up on lie beside each other in a darker block.
 // Pixels outside the render extent, background and pixels without a sample (alpha -1) do not take part. Without any: 0, 0.
 // Constants: VOLUME: the background takes part, since fog lies before it.
+// optional: irradiance_1, block_percentiles_1
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
@@ -19,13 +20,20 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 1) const bool VOLUME = false;
 
 layout(push_constant) uniform Push {
+    uint present;
     float percentile_low;
     float percentile_up;
 } push;
 
+#include "optional.glsl"
+
+const uint IRRADIANCE_1 = 4u;
+
 layout(set = 0, binding = 1) uniform utexture2D guide;
-layout(set = 0, binding = 2) uniform texture2D irradiance;
-layout(set = 0, binding = 3, r32ui) uniform writeonly uimage2D block_percentiles;
+layout(set = 0, binding = 2) uniform texture2D irradiance_0;
+layout(set = 0, binding = 3, r32ui) uniform writeonly uimage2D block_percentiles_0;
+layout(set = 0, binding = IRRADIANCE_1) uniform texture2D irradiance_1;
+layout(set = 0, binding = 5, r32ui) uniform writeonly uimage2D block_percentiles_1;
 
 bool takes_part(ivec2 p) { return is_inside(p) && (VOLUME || guide_depth(GuideBits(texelFetch(guide, p, 0))) != 0.0); }
 
@@ -75,10 +83,9 @@ bool is_clumped(uint i, float least) {
     return beside >= 2u;
 }
 
-void main() {
-    ivec2 p = ivec2(gl_GlobalInvocationID.xy);
+// Of the block, in its first invocation.
+uint packed_percentiles(vec4 texel) {
     uint i = gl_LocalInvocationIndex;
-    vec4 texel = takes_part(p) ? texelFetch(irradiance, p, 0) : vec4(-1.0);
     keys[i] = texel.a >= 0.0 ? luminance(texel.rgb) : NO_PIXEL;
     if (i == 0u) {
         clumped = 0;
@@ -92,7 +99,16 @@ void main() {
     float far_above = CLUMP_EXCESS * percentile(REST_SHARE, count);
     if (is_pixel(i) && keys[i] >= percentiles.y) atomicAdd(clumped, is_clumped(i, far_above) ? 1 : -1);
     barrier();
-    if (i != 0u) return;
-    BlockPercentiles block = BlockPercentiles(percentiles, clumped > 0);
-    imageStore(block_percentiles, ivec2(gl_WorkGroupID.xy), uvec4(pack_block_percentiles(block)));
+    return pack_block_percentiles(BlockPercentiles(percentiles, clumped > 0));
+}
+
+void main() {
+    ivec2 p = ivec2(gl_GlobalInvocationID.xy), block = ivec2(gl_WorkGroupID.xy);
+    bool counts = takes_part(p), writes = gl_LocalInvocationIndex == 0u;
+    uint percentiles = packed_percentiles(counts ? texelFetch(irradiance_0, p, 0) : vec4(-1.0));
+    if (writes) imageStore(block_percentiles_0, block, uvec4(percentiles));
+    if (!is_wired(IRRADIANCE_1)) return;
+    barrier();
+    percentiles = packed_percentiles(counts ? texelFetch(irradiance_1, p, 0) : vec4(-1.0));
+    if (writes) imageStore(block_percentiles_1, block, uvec4(percentiles));
 }

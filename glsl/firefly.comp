@@ -4,20 +4,19 @@
 // Source: [PSVGF], firefly filter. Deviation: what is cut off is not lost, but for what would show as a bright block.
 // In:  guide, firefly_limits. In place: irradiance, still noisy, own block only. With DIFFERENCE also what firefly_limits.comp reads, with its
 //      firefly_limits, and what block_difference.comp reads, with its block_difference of the irradiance that is left: a block is read once
-//      for all three. Specular light beside it, which keeps its outliers: irradiance_1 with its past, and its block_difference_1.
+//      for all three.
 // Constants: VOLUME: of every pixel, whatever the guide says.
-// optional: irradiance_1, history_1, previous_luminance_history_1, block_difference_1
 // variants: DIFFERENCE=0 DIFFERENCE=1
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 
 layout(constant_id = 1) const bool VOLUME = false;
+layout(constant_id = 2) const bool SPECULAR = false;
 
 layout(push_constant) uniform Push {
     float firefly_spread;
 #if DIFFERENCE
-    uint present;
     float percentile_range;
     float firefly_bias;
     float depth_tolerance;
@@ -32,13 +31,12 @@ layout(push_constant) uniform Push {
 layout(local_size_x = ROW_PIXELS) in;
 
 #if DIFFERENCE
-#include "optional.glsl"
-
-const uint IRRADIANCE_1 = 12u;
-#endif
-
+layout(set = 0, binding = 1, rgba16ui) uniform restrict readonly uimage2D guide;
+#define guide_at(p) imageLoad(guide, p)
+#else
 layout(set = 0, binding = 1) uniform utexture2D guide;
 #define guide_at(p) texelFetch(guide, p, 0)
+#endif
 #if DIFFERENCE
 layout(set = 0, binding = 2, r32ui) uniform writeonly uimage2D firefly_limits;
 #else
@@ -54,40 +52,18 @@ layout(set = 0, binding = 8) uniform utexture2D previous_luminance_history;
 layout(set = 0, binding = 9, rgba16ui) uniform writeonly uimage2D block_difference;
 layout(set = 0, binding = 10) uniform utexture2D block_percentiles;
 layout(set = 0, binding = 11) uniform utexture2D previous_firefly_limits;
-layout(set = 0, binding = IRRADIANCE_1) uniform texture2D irradiance_1;
-layout(set = 0, binding = 13) uniform texture2D history_1;
-layout(set = 0, binding = 14) uniform utexture2D previous_luminance_history_1;
-layout(set = 0, binding = 15, rgba16ui) uniform writeonly uimage2D block_difference_1;
 #define RETURNING 1
 #define irradiance_at(p) imageLoad(irradiance, p)
+#define history_at(p) texelFetch(history, p, 0)
 #include "firefly_limits.glsl"
-
-vec4 irradiance_of(int signal, ivec2 p) {
-    if (signal == 0) return imageLoad(irradiance, p);
-    return texelFetch(irradiance_1, p, 0);
-}
-
-vec4 history_of(int signal, ivec2 p) {
-    if (signal == 0) return texelFetch(history, p, 0);
-    return texelFetch(history_1, p, 0);
-}
-
-uint past_luminance_of(int signal, ivec2 p) {
-    if (signal == 0) return texelFetch(previous_luminance_history, p, 0).x;
-    return texelFetch(previous_luminance_history_1, p, 0).x;
-}
-
-void store_difference(int signal, ivec2 block, uvec4 packed) {
-    if (signal == 0) imageStore(block_difference, block, packed);
-    else imageStore(block_difference_1, block, packed);
-}
-
 #include "block_difference.glsl"
 
 // Of the cells of the blocks in a row, packed.
 shared uint cell_limits[CELLS];
 #endif
 
+// Lamps that are mirrored are brighter than all around, and move otherwise than the mirror.
+const float HIGHLIGHT = 32.0;
 // Of a cluster, in shares of what one outlier spreads at most: more would show.
 const float CLUSTER_SPREAD = 0.4;
 
@@ -101,8 +77,9 @@ bool takes_part(ivec2 p, vec4 value) {
 
 // The share of a luminance that is kept. The pixels of a cluster add up: the further they are above the limit, the less of each is left.
 float kept_share(float l, FireflyLimit limit) {
-    if (limit.limit == 0.0 || l <= limit.limit) return 1.0;
-    float share = limit.limit / l;
+    float most = SPECULAR ? HIGHLIGHT * limit.limit : limit.limit;
+    if (most == 0.0 || l <= most) return 1.0;
+    float share = most / l;
     return limit.is_cluster ? share * share : share;
 }
 
@@ -172,9 +149,6 @@ void main() {
     cut_outliers();
 #if DIFFERENCE
     // Of the pixels that this invocation has written itself.
-    write_block_difference(0);
-    if (!is_present(IRRADIANCE_1)) return;
-    barrier();
-    write_block_difference(1);
+    write_block_difference();
 #endif
 }

@@ -1,7 +1,6 @@
 // How far the light of a block departs from its own history: mean and deviation of the paired differences. Twin:
 // src/nodes/block_difference/twin.rs. Needs `float depth_tolerance` in the shader's block `push`, a workgroup of eight blocks with an invocation
-// a column, the guides of block_difference.comp, `guide_at(p)`, and of signal 0 or 1, of which constants become code: `irradiance_of(signal, p)`,
-// `history_of(signal, p)`, `past_luminance_of(signal, p)` and `store_difference(signal, block, packed)`.
+// a column, the images of block_difference.comp, `guide_at`, `irradiance_at` and `history_at`.
 #ifndef BLOCK_DIFFERENCE_GLSL
 #define BLOCK_DIFFERENCE_GLSL
 #include "frame.glsl"
@@ -37,13 +36,13 @@ const uint NEITHER = 0xffffffffu;
 const float NOISE_THAT_HIDES = 0.7;
 
 // Without branches: software Vulkan masks them, and then reads images a lane at a time.
-Sums sums_of(int signal, ivec2 pixel) {
+Sums sums_of(ivec2 pixel) {
     ivec2 p = nearest_inside(pixel), tap;
     bool counts = nearest_history(p, GuideBits(guide_at(p)), surface_motion, previous_guide, tap);
-    vec4 texel = irradiance_of(signal, p);
+    vec4 texel = irradiance_at(p);
     float now = luminance(texel.rgb);
-    float before = min(luminance(history_of(signal, tap).rgb) * frame.exposure_ratio, 65504.0);
-    LuminanceHistory luminance_history = unpack_luminance_history(past_luminance_of(signal, tap));
+    float before = min(luminance(history_at(tap).rgb) * frame.exposure_ratio, 65504.0);
+    LuminanceHistory luminance_history = unpack_luminance_history(texelFetch(previous_luminance_history, tap, 0).x);
     float deviation = luminance_history.deviation * frame.exposure_ratio;
     float uncertainty = 1.0 / max(luminance_history.history_length, 1.0);
     Sums of_sample = Sums(1.0, now, before, (now - before) * (now - before), uncertainty, 0.0, 0.0, deviation * deviation, 0.0);
@@ -86,14 +85,14 @@ float outside_at(uint x, uint y) {
     return (pixels - 0.5) * 0.5 * dot(outside, outside);
 }
 
-void write_block_difference(int signal) {
+void write_block_difference() {
     uint i = gl_LocalInvocationIndex;
     ivec2 top = ivec2(gl_GlobalInvocationID.x, gl_WorkGroupID.y * uint(BLOCK_SIZE));
     // Columns, what lies outside of pixels beside it, then the sums of a block's columns: the order is fixed.
-    Sums sum = sums_of(signal, top), above = NONE, middle = sum;
+    Sums sum = sums_of(top), above = NONE, middle = sum;
     both[i] = both_of(sum);
     for (int y = 1; y < BLOCK_SIZE; ++y) {
-        Sums below = sums_of(signal, top + ivec2(0, y));
+        Sums below = sums_of(top + ivec2(0, y));
         both[i + ROW_PIXELS * uint(y)] = both_of(below);
         float curve = above.now - 2.0 * middle.now + below.now, counts = above.count * middle.count * below.count;
         sum.curvature += counts * curve * curve;
@@ -121,7 +120,7 @@ void write_block_difference(int signal) {
     float noise = is_known ? sqrt(min(sum.curvature / (6.0 * sum.curved), NOISE_THAT_HIDES * sum.outside * inverse)) / brighter : LOUD;
     float past_noise = is_known ? sqrt(sum.variance * inverse) / brighter : RARE;
     BlockDifference difference = BlockDifference(mean, sqrt(variance), sum.count, brighter, noise, past_noise);
-    store_difference(signal, block, pack_block_difference(difference));
+    imageStore(block_difference, block, pack_block_difference(difference));
 }
 
 #endif

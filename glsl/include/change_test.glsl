@@ -136,7 +136,7 @@ void load_changes() {
     load_blocks(block_difference_0);
     barrier();
     if (i < CHANGES) change = change_of(corner);
-    if (is_present(BLOCK_DIFFERENCE_1)) {
+    if (is_wired(BLOCK_DIFFERENCE_1)) {
         barrier();
         load_blocks(block_difference_1);
         barrier();

@@ -5,7 +5,10 @@
 
 layout(constant_id = 0) const uint WIRED = 0xffffffffu;  // bit i: the graph gives binding i something
 
+// Whether the graph has it, which every frame of it has: no branch is left.
+bool is_wired(uint binding) { return (WIRED >> binding & 1u) != 0u; }
+
 // Whether the graph has it, and the host bound it this frame.
-bool is_present(uint binding) { return (WIRED >> binding & 1u) != 0u && (push.present >> binding & 1u) != 0u; }
+bool is_present(uint binding) { return is_wired(binding) && (push.present >> binding & 1u) != 0u; }
 
 #endif

@@ -269,14 +269,18 @@ pub(crate) static BLOCK_PERCENTILES: Shader = Shader {
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
-        ShaderBinding { number: 2, name: Cow::Borrowed("irradiance"), kind: BindingKind::SampledImage(Component::Float), optional: false },
-        ShaderBinding { number: 3, name: Cow::Borrowed("block_percentiles"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("irradiance_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("block_percentiles_0"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("irradiance_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 5, name: Cow::Borrowed("block_percentiles_1"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: true },
     ]),
     members: Cow::Borrowed(&[
-        PushMember { name: Cow::Borrowed("percentile_low"), offset: 0, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("percentile_up"), offset: 4, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("percentile_low"), offset: 4, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("percentile_up"), offset: 8, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 1, scalar: Scalar::Bool, default: 0 },
     ]),
 };
@@ -510,13 +514,14 @@ pub(crate) static FIREFLY_DIFFERENCE_0: Shader = Shader {
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("SPECULAR"), id: 2, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static FIREFLY_DIFFERENCE_1: Shader = Shader {
     stage: Cow::Borrowed("firefly"), name: Cow::Borrowed("firefly_difference_1"), spirv: Cow::Borrowed(include_bytes!("firefly_difference_1.spv")), workgroup: [64, 1, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
-        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
         ShaderBinding { number: 2, name: Cow::Borrowed("firefly_limits"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
         ShaderBinding { number: 3, name: Cow::Borrowed("irradiance"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite), optional: false },
         ShaderBinding { number: 4, name: Cow::Borrowed("previous_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
@@ -526,21 +531,16 @@ pub(crate) static FIREFLY_DIFFERENCE_1: Shader = Shader {
         ShaderBinding { number: 9, name: Cow::Borrowed("block_difference"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
         ShaderBinding { number: 10, name: Cow::Borrowed("block_percentiles"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
         ShaderBinding { number: 11, name: Cow::Borrowed("previous_firefly_limits"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
-        ShaderBinding { number: 12, name: Cow::Borrowed("irradiance_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
-        ShaderBinding { number: 13, name: Cow::Borrowed("history_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
-        ShaderBinding { number: 14, name: Cow::Borrowed("previous_luminance_history_1"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
-        ShaderBinding { number: 15, name: Cow::Borrowed("block_difference_1"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("firefly_spread"), offset: 0, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("present"), offset: 4, scalar: Scalar::Uint },
-        PushMember { name: Cow::Borrowed("percentile_range"), offset: 8, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("firefly_bias"), offset: 12, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("depth_tolerance"), offset: 16, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("percentile_range"), offset: 4, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("firefly_bias"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("depth_tolerance"), offset: 12, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
-        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("SPECULAR"), id: 2, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static FIREFLY_LIMITS_RETURNING_0: Shader = Shader {

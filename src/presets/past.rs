@@ -2,7 +2,7 @@
 
 use super::specular::{estimated, Reflected, Specular, SpecularEstimate};
 use crate::config::{Config, Signals};
-use crate::graph::{Accumulated, Difference, Estimate, Feedback, Graph, Guides, History, Irradiance, Reflection};
+use crate::graph::{Accumulated, Difference, Estimate, Feedback, Graph, Guides, History, Irradiance, Port, Reflection};
 use crate::nodes::{Accumulation, SpecularAccumulation, SpecularHistory, Usual};
 
 /// Made before the nodes that read the previous frame.
@@ -56,13 +56,17 @@ impl Past {
         if !filters_fireflies {
             return Compared { irradiance, difference: g.block_difference(guides, &irradiance, history), usual: None };
         }
-        let percentiles = g.block_percentiles(guides, &irradiance);
-        let specular = self.reflected.as_ref().map(|reflected| (&reflected.irradiance, &reflected.history.history));
-        let (irradiance, difference, specular, limits) =
-            g.firefly_and_difference(guides, &irradiance, &percentiles, history, specular);
-        if let Some(reflected) = &mut self.reflected {
-            reflected.difference = specular;
+        let both = match &self.reflected {
+            Some(reflected) => g.pair(&irradiance, &reflected.irradiance),
+            None => irradiance,
+        };
+        let mut percentiles = g.block_percentiles(guides, &both);
+        if let (Some(reflected), &[diffuse, specular]) = (&mut self.reflected, percentiles.images()) {
+            let Reflected { irradiance, history, difference } = reflected;
+            let (filtered, compared, _) = g.firefly_and_difference(guides, irradiance, &Port::of(specular), &history.history, true);
+            (*irradiance, *difference, percentiles) = (filtered, Some(compared), Port::of(diffuse));
         }
+        let (irradiance, difference, limits) = g.firefly_and_difference(guides, &irradiance, &percentiles, history, false);
         Compared { irradiance, difference, usual: Some(Usual { percentiles, limits }) }
     }
 

@@ -138,28 +138,21 @@ fn outside_at(pairs: &BTreeMap<(i32, i32), Pair>, (y, x): (i32, i32)) -> f32 {
 }
 
 /// A pixel whose position or depth lies on its threshold may count on one side alone.
-const TESTED_BLOCKS: Tolerance = Tolerance { absolute: 2e-3, outliers: 2e-2, ..HALF };
-
-const fn differences(binding: &'static str) -> Rule {
-    rule(binding, Unit::Block, Reading::BlockDifference, TESTED_BLOCKS)
-}
-
-pub(crate) const DIFFERENCE: Rule = differences("block_difference");
-
-pub(crate) const SPECULAR_DIFFERENCE: Rule = differences("block_difference_1");
+pub(crate) const DIFFERENCE: Rule =
+    rule("block_difference", Unit::Block, Reading::BlockDifference, Tolerance { absolute: 2e-3, outliers: 2e-2, ..HALF });
 
 /// How what it writes is compared with the GPU.
 pub(crate) const RULES: &[Rule] = &[DIFFERENCE];
 
-/// The departure of an irradiance from the history that a pass binds under names with this end.
-pub(crate) fn difference_from_history(b: &Bindings, irradiance: &Image<[f32; 4]>, end: &str) -> Result<Image<[u16; 4]>, Error> {
-    let luminance_history = luminance_history_of(b.uint(&format!("previous_luminance_history{end}"))?);
-    let history = SignalHistory { irradiance: b.colour(&format!("history{end}"))?, luminance_history: &luminance_history };
+/// The departure of an irradiance from the history that a pass binds.
+pub(crate) fn difference_from_history(b: &Bindings, irradiance: &Image<[f32; 4]>) -> Result<Image<[u16; 4]>, Error> {
+    let luminance_history = luminance_history_of(b.uint("previous_luminance_history")?);
+    let history = SignalHistory { irradiance: b.colour("history")?, luminance_history: &luminance_history };
     Ok(block_difference(b.frame, b.tuning, &BlockDifferenceInputs { guides: HistoryGuides::of(b)?, irradiance, history }))
 }
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
-    let differences = difference_from_history(b, b.colour("irradiance")?, "")?;
+    let differences = difference_from_history(b, b.colour("irradiance")?)?;
     b.write("block_difference", differences)
 }

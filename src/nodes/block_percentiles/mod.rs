@@ -12,7 +12,7 @@ use crate::shaders;
 pub const BLOCK_SIZE: u32 = 8;
 
 impl Graph {
-    /// Percentiles of every signal, one pass and one image each.
+    /// Percentiles of one signal or two, one image each.
     pub fn block_percentiles(&mut self, guides: &Guides, irradiance: &Irradiance) -> Percentiles {
         self.percentiles_of(guides, irradiance, false)
     }
@@ -24,16 +24,13 @@ impl Graph {
 
     fn percentiles_of<K>(&mut self, guides: &Guides, port: &Port<K>, volume: bool) -> Percentiles {
         let percentiles: Percentiles = self.image_each(port, "block_percentiles", PACKED_32, BLOCK_SIZE);
-        for (input, output) in port.images().iter().zip(percentiles.images()) {
-            let label = self.label(*input).to_owned();
-            let node = self.node("block_percentiles", &label);
-            let pass = pass(&node, &shaders::BLOCK_PERCENTILES)
-                .constant("VOLUME", u32::from(volume))
-                .bind("guide", guides.guide)
-                .bind("irradiance", *input)
-                .bind("block_percentiles", *output);
-            self.add(pass);
-        }
+        let node = self.node("block_percentiles", &self.label_of(port));
+        let pass = pass(&node, &shaders::BLOCK_PERCENTILES)
+            .constant("VOLUME", u32::from(volume))
+            .bind("guide", guides.guide)
+            .each("irradiance", port.images())
+            .each("block_percentiles", percentiles.images());
+        self.add(pass);
         self.renewed(&percentiles)
     }
 }

@@ -83,13 +83,17 @@ pub(crate) fn block_percentiles(frame: &FrameConstants, tuning: &Tuning, inputs:
 }
 
 /// How what it writes is compared with the GPU.
-pub(crate) const RULES: &[Rule] = &[rule("block_percentiles", Unit::Block, Reading::Halves, HALF)];
+pub(crate) const RULES: &[Rule] = &[
+    rule("block_percentiles_0", Unit::Block, Reading::Halves, HALF),
+    rule("block_percentiles_1", Unit::Block, Reading::Halves, HALF),
+];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let guide = if b.is_on("VOLUME")? { None } else { Some(b.packed("guide")?) };
-    let percentiles = block_percentiles(b.frame, b.tuning, &BlockPercentilesInputs { guide, irradiance: b.colour("irradiance")? });
-    b.write("block_percentiles", percentiles)
+    let of_signal = |irradiance| block_percentiles(b.frame, b.tuning, &BlockPercentilesInputs { guide, irradiance });
+    let percentiles = b.colours("irradiance")?.into_iter().map(of_signal).collect();
+    b.write_signals("block_percentiles", percentiles)
 }
 
 #[cfg(test)]

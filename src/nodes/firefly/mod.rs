@@ -18,42 +18,33 @@ impl Graph {
         self.without_outliers(guides, irradiance, limits, false)
     }
 
-    /// [`Self::firefly_limits`], [`Self::firefly`], and of what is left [`Self::block_difference`]: one pass for every signal. Beside the
-    /// only one the difference of specular light, which keeps its outliers, from its own history.
+    /// [`Self::firefly_limits`], [`Self::firefly`], and of what is left [`Self::block_difference`]: one pass for every signal. Of specular
+    /// light more is usual.
     pub(crate) fn firefly_and_difference(
         &mut self,
         guides: &Guides,
         irradiance: &Irradiance,
         percentiles: &Percentiles,
         history: &History,
-        specular: Option<(&Irradiance, &History)>,
-    ) -> (Irradiance, Difference, Option<Difference>, FireflyLimits) {
+        is_specular: bool,
+    ) -> (Irradiance, Difference, FireflyLimits) {
         let difference: Difference = self.image_each(irradiance, "block_difference", PACKED_64, BLOCK_SIZE);
-        let of_specular: Option<Difference> =
-            specular.map(|(specular, _)| self.image_each(specular, "block_difference", PACKED_64, BLOCK_SIZE));
         let mut all = Vec::new();
         for (i, image) in irradiance.images().iter().enumerate() {
             let label = self.label(*image).to_owned();
             let node = self.node("firefly", &label);
             let limits = self.limits_image(&label, Lifetime::History);
-            let mut pass = described(&node, &shaders::FIREFLY_DIFFERENCE_1, guides, *image)
+            let pass = described(&node, &shaders::FIREFLY_DIFFERENCE_1, guides, *image)
+                .constant("SPECULAR", is_specular.into())
                 .bind("block_percentiles", percentiles.images()[i])
                 .previous("previous_firefly_limits", limits)
                 .bind("firefly_limits", limits)
                 .bind("block_difference", difference.images()[i]);
-            if let (Some((specular, past)), Some(difference)) = (specular, of_specular) {
-                pass = pass
-                    .bind("irradiance_1", specular.image())
-                    .previous("history_1", past.colour()[0])
-                    .previous("previous_luminance_history_1", past.luminance_history()[0])
-                    .bind("block_difference_1", difference.image());
-            }
             self.add(block_difference::compared(pass, guides, history, i));
             all.push(self.refreshed(limits));
         }
         let limits = Port::of_images(&all).unwrap_or_else(|| percentiles.cast());
-        let of_specular = of_specular.map(|difference| self.renewed(&difference));
-        (self.renewed(irradiance), self.renewed(&difference), of_specular, limits)
+        (self.renewed(irradiance), self.renewed(&difference), limits)
     }
 
     /// Radiance of a volume without outliers, in place.
@@ -70,7 +61,7 @@ impl Graph {
             let label = self.label(*image).to_owned();
             let node = self.node("firefly", &label);
             let pass = described(&node, &shaders::FIREFLY_DIFFERENCE_0, guides, *image);
-            self.add(pass.constant("VOLUME", u32::from(volume)).bind("firefly_limits", *limits));
+            self.add(pass.constant("VOLUME", u32::from(volume)).constant("SPECULAR", 0).bind("firefly_limits", *limits));
         }
         self.renewed(port)
     }

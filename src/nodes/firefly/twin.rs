@@ -1,7 +1,7 @@
 //! The stage `firefly` \[PSVGF\]: outliers are scaled down to the brightest luminance that is usual around them, and what that takes is
 //! spread over their block.
 
-use crate::nodes::block_difference::twin::{difference_from_history, DIFFERENCE, SPECULAR_DIFFERENCE};
+use crate::nodes::block_difference::twin::{difference_from_history, DIFFERENCE};
 use crate::nodes::firefly_limits::twin::{limit_at, limits_of_pass, Limit, LIMITS};
 use crate::reference::binary16::store;
 use crate::reference::bindings::Bindings;
@@ -16,6 +16,9 @@ use crate::{Error, FrameConstants, Tuning};
 /// Of a cluster, in shares of what one outlier spreads at most: more would show.
 const CLUSTER_SPREAD: f32 = 0.4;
 
+/// Lamps that are mirrored are brighter than all around, and move otherwise than the mirror: so many times the limit are usual.
+const HIGHLIGHT: f32 = 32.0;
+
 /// Inputs of [`firefly`].
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct FireflyInputs<'a> {
@@ -25,6 +28,8 @@ pub(crate) struct FireflyInputs<'a> {
     pub firefly_limits: &'a Image<u32>,
     /// rgb: irradiance of one signal, as written by `demodulate`.
     pub irradiance: &'a Image<[f32; 4]>,
+    /// Whether it is specular light.
+    pub is_specular: bool,
 }
 
 /// rgb: irradiance without outliers, half precision; alpha as it came.
@@ -41,7 +46,7 @@ pub(crate) fn firefly(frame: &FrameConstants, tuning: &Tuning, inputs: &FireflyI
             let texel = inputs.irradiance.at(p);
             let l = texel_luminance(texel);
             let limit = limit_of(p);
-            let share = 1.0 - kept_share(l, &limit);
+            let share = 1.0 - kept_share(l, &limit, inputs.is_specular);
             if share > 0.0 {
                 let share = share.min(tuning.firefly_spread * limit.limit / l);
                 sum = std::array::from_fn(|i| sum[i] + texel[i] * share);
@@ -60,7 +65,8 @@ pub(crate) fn firefly(frame: &FrameConstants, tuning: &Tuning, inputs: &FireflyI
         if !takes_part(p) {
             return texel;
         }
-        let (kept, spread) = (kept_share(texel_luminance(texel), &limit_of(p)), spread.at(block_of(p)));
+        let kept = kept_share(texel_luminance(texel), &limit_of(p), inputs.is_specular);
+        let spread = spread.at(block_of(p));
         if kept == 1.0 && spread == [0.0; 3] {
             return texel;
         }
@@ -70,12 +76,13 @@ pub(crate) fn firefly(frame: &FrameConstants, tuning: &Tuning, inputs: &FireflyI
 }
 
 /// The share of a luminance that is kept.
-fn kept_share(l: f32, limit: &Limit) -> f32 {
-    if limit.limit == 0.0 || l <= limit.limit {
+fn kept_share(l: f32, limit: &Limit, is_specular: bool) -> f32 {
+    let most = if is_specular { HIGHLIGHT * limit.limit } else { limit.limit };
+    if most == 0.0 || l <= most {
         return 1.0;
     }
     // The pixels of a cluster add up: the further they are above the limit, the less of each is left.
-    let share = limit.limit / l;
+    let share = most / l;
     if limit.is_cluster {
         share * share
     } else {
@@ -84,23 +91,19 @@ fn kept_share(l: f32, limit: &Limit) -> f32 {
 }
 
 /// How what it writes is compared with the GPU.
-pub(crate) const RULES: &[Rule] = &[pixels("irradiance", HALF), rounded("irradiance"), DIFFERENCE, SPECULAR_DIFFERENCE, LIMITS];
+pub(crate) const RULES: &[Rule] = &[pixels("irradiance", HALF), rounded("irradiance"), DIFFERENCE, LIMITS];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let guide = if b.is_on("VOLUME")? { None } else { Some(b.packed("guide")?) };
-    let irradiance = b.colour("irradiance")?;
+    let (irradiance, is_specular) = (b.colour("irradiance")?, b.is_on("SPECULAR")?);
     if !b.has("block_difference") {
-        let inputs = FireflyInputs { guide, firefly_limits: b.uint("firefly_limits")?, irradiance };
+        let inputs = FireflyInputs { guide, firefly_limits: b.uint("firefly_limits")?, irradiance, is_specular };
         return b.write("irradiance", firefly(b.frame, b.tuning, &inputs));
     }
     let limits = limits_of_pass(b)?;
-    let filtered = firefly(b.frame, b.tuning, &FireflyInputs { guide, firefly_limits: &limits, irradiance });
-    let differences = difference_from_history(b, &filtered, "")?;
-    if let Some(specular) = b.optional_colour("irradiance_1")? {
-        let differences = difference_from_history(b, specular, "_1")?;
-        b.write("block_difference_1", differences)?;
-    }
+    let filtered = firefly(b.frame, b.tuning, &FireflyInputs { guide, firefly_limits: &limits, irradiance, is_specular });
+    let differences = difference_from_history(b, &filtered)?;
     b.write("firefly_limits", limits)?;
     b.write("block_difference", differences)?;
     b.write("irradiance", filtered)
@@ -120,11 +123,16 @@ mod tests {
     }
 
     fn filtered_with(tuning: &Tuning, irradiance: &Image<[f32; 4]>) -> Image<[f32; 4]> {
+        filtered_as(tuning, irradiance, false)
+    }
+
+    fn filtered_as(tuning: &Tuning, irradiance: &Image<[f32; 4]>, is_specular: bool) -> Image<[f32; 4]> {
         let (frame, guides) = (frame(EXTENT), guides(EXTENT, |_, _| surface(2.0)));
         let percentiles = block_percentiles(&frame, tuning, &BlockPercentilesInputs { guide: Some(&guides.guide), irradiance });
         let limits =
             firefly_limits(&frame, tuning, &FireflyLimitsInputs { block_percentiles: &percentiles, irradiance, history: None });
-        firefly(&frame, tuning, &FireflyInputs { guide: Some(&guides.guide), firefly_limits: &limits, irradiance })
+        let inputs = FireflyInputs { guide: Some(&guides.guide), firefly_limits: &limits, irradiance, is_specular };
+        firefly(&frame, tuning, &inputs)
     }
 
     fn mean(image: &Image<[f32; 4]>) -> f64 {
@@ -183,6 +191,20 @@ mod tests {
         let [r, g, b, _] = *output.get(20, 12).expect("inside");
         assert!(r < 5.0 * (1.0 + 2.0 / 64.0) && (r / g - 2.0).abs() < 0.01 && b == 0.0, "{r} {g} {b}");
         assert_eq!(output.get(2, 2), input.get(2, 2));
+    }
+
+    #[test]
+    fn a_highlight_stays_and_what_is_far_brighter_does_not() {
+        let at = |lit: f32, is_specular: bool| {
+            let mut input = noise(EXTENT, 3);
+            *input.get_mut(20, 12).expect("inside") = [lit, lit, lit, 0.0];
+            texel_luminance(*filtered_as(&svgf_tuning(), &input, is_specular).get(20, 12).expect("inside"))
+        };
+        let limit = at(5000.0, false);
+        assert_eq!(at(30.0, true), 30.0);
+        assert!(at(30.0, false) < 5.0);
+        let ratio = at(5000.0, true) / limit;
+        assert!((0.9 * HIGHLIGHT..1.02 * HIGHLIGHT).contains(&ratio), "{ratio}");
     }
 
     #[test]

@@ -279,7 +279,8 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let transforms = b.instance_transforms()?;
     let luminance_history = luminance_history_of(b.uint("previous_luminance_history")?);
     let (confidence, is_beside_diffuse) = (b.optional_scalar("history_confidence")?, b.is_on("BESIDE_DIFFUSE")?);
-    let own_confidence = confidence.map(|image| if is_beside_diffuse { image.map(|c| specular_confidence(*c)) } else { image.clone() });
+    let own_confidence =
+        confidence.map(|image| if is_beside_diffuse { image.map(|c| specular_confidence(*c)) } else { image.clone() });
     let inputs = SpecularAccumulationInputs {
         guide: b.packed("guide")?,
         surface_motion: b.packed("surface_motion")?,
