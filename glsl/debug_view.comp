@@ -21,6 +21,7 @@ layout(push_constant) uniform Push {
     float light_radius;
 } push;
 
+#include "both_confidences.glsl"
 #include "frame.glsl"
 #include "viewport.glsl"
 #include "packed_image.glsl"
@@ -139,7 +140,7 @@ vec3 false_colour(float t) {
 
 float compressed(float x) { return x / (1.0 + x); }
 
-float change_at(ivec2 p) { return is_present(HISTORY_CONFIDENCE) ? 1.0 - texelFetch(history_confidence, host_pixel(HISTORY_CONFIDENCE, p), 0).x : 0.0; }
+float change_at(ivec2 p) { return is_present(HISTORY_CONFIDENCE) ? change_by(texelFetch(history_confidence, host_pixel(HISTORY_CONFIDENCE, p), 0).x) : 0.0; }
 
 float history_length_at(ivec2 p) { return unpack_luminance_history(texelFetch(luminance_history_0, p, 0).x).history_length; }
 

@@ -13,6 +13,7 @@ layout(push_constant) uniform Push {
 } push;
 
 #define GUIDE_PIXELS
+#include "both_confidences.glsl"
 #include "frame.glsl"
 #include "viewport.glsl"
 #include "optional.glsl"
@@ -72,7 +73,7 @@ float new_share(ivec2 at) {
     ivec2 p = light_pixel(at, z);
     float frames = frames_of(texelFetch(luminance_history_0, p, 0).x);
     if (is_present(LUMINANCE_HISTORY_1)) frames = min(frames, frames_of(texelFetch(luminance_history_1, p, 0).x));
-    float change = is_present(HISTORY_CONFIDENCE) ? 1.0 - texelFetch(history_confidence, host_pixel(HISTORY_CONFIDENCE, p), 0).x : 0.0;
+    float change = is_present(HISTORY_CONFIDENCE) ? change_by(texelFetch(history_confidence, host_pixel(HISTORY_CONFIDENCE, p), 0).x) : 0.0;
     return clamp(max(1.0 / frames, change), 0.0, 1.0);
 }
 

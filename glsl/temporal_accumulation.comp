@@ -31,6 +31,7 @@ layout(push_constant) uniform Push {
     float normal_tolerance;
 } push;
 
+#include "both_confidences.glsl"
 #include "cubic.glsl"
 #include "frame.glsl"
 #include "viewport.glsl"
@@ -240,7 +241,7 @@ Expected expectation(ivec2 p, GuideBits packed, out vec2 motion) {
 }
 
 // How far light changed at a pixel: 0, not at all, to 1.
-float change_at(ivec2 p) { return is_present(HISTORY_CONFIDENCE) ? 1.0 - texelFetch(history_confidence, host_pixel(HISTORY_CONFIDENCE, p), 0).x : 0.0; }
+float change_at(ivec2 p) { return is_present(HISTORY_CONFIDENCE) ? change_by(texelFetch(history_confidence, host_pixel(HISTORY_CONFIDENCE, p), 0).x) : 0.0; }
 
 // How much brighter each component of the light is than in the frame before, smooth between strata.
 vec3 light_ratio_at(ivec2 p) {

@@ -15,6 +15,12 @@ float both_confidences(float diffuse, float specular) {
     return uintBitsToFloat(upper | min(uint(specular * 2048.0 + 0.5), SPECULAR_BITS));
 }
 
+// By how much diffuse light changed, of the confidence in its history: 0 and 1 are exact with anything beside them.
+float change_by(float confidence) {
+    if (confidence >= uintBitsToFloat(MOST_OF_DIFFUSE)) return 0.0;
+    return confidence < 2.0 * LEAST_OF_DIFFUSE ? 1.0 : 1.0 - confidence;
+}
+
 float specular_confidence(float both) {
     uint steps = floatBitsToUint(both) & SPECULAR_BITS;
     return steps == SPECULAR_BITS ? 1.0 : float(steps) / 2048.0;

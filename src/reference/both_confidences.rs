@@ -15,6 +15,15 @@ pub(crate) fn both_confidences(diffuse: f32, specular: f32) -> f32 {
     f32::from_bits(upper | ((specular * 2048.0 + 0.5) as u32).min(SPECULAR_BITS))
 }
 
+/// By how much diffuse light changed, of the confidence in its history: 0 and 1 are exact with anything beside them.
+pub(crate) fn change_by(confidence: f32) -> f32 {
+    match confidence {
+        c if c >= f32::from_bits(MOST_OF_DIFFUSE) => 0.0,
+        c if c < 2.0 * LEAST_OF_DIFFUSE => 1.0,
+        c => 1.0 - c,
+    }
+}
+
 pub(crate) fn specular_confidence(both: f32) -> f32 {
     match both.to_bits() & SPECULAR_BITS {
         SPECULAR_BITS => 1.0,
@@ -34,6 +43,10 @@ mod tests {
                 let both = both_confidences(diffuse, specular);
                 assert!(both.is_normal() && both < 1.0 && (both - diffuse).abs() <= 1.0 / 4096.0, "{diffuse} {specular}: {both}");
                 assert!((specular_confidence(both) - specular).abs() <= 1.0 / 2048.0, "{diffuse} {specular}");
+            }
+            for specular in [0.0, 0.3, 1.0] {
+                let exact = [0.0, 1.0].map(|diffuse| change_by(both_confidences(diffuse, specular)));
+                assert_eq!(exact, [1.0, 0.0], "{specular}");
             }
             assert_eq!([0.0, 1.0].map(|specular| specular_confidence(both_confidences(diffuse, specular))), [0.0, 1.0]);
         }

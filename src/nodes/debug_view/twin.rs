@@ -10,6 +10,7 @@ use crate::nodes::firefly_limits::twin::limit_at;
 use crate::reference::binary16::round_image_to_half;
 use crate::reference::binary16::LARGEST_HALF;
 use crate::reference::blocks::block_of;
+use crate::reference::both_confidences::change_by;
 use crate::reference::guide::{pcg, unpack_guide};
 use crate::reference::kept_radiance::exposed;
 use crate::reference::luminance::texel_luminance;
@@ -112,7 +113,7 @@ impl DebugViewInputs<'_> {
     fn shown(&self, frame: &FrameConstants, tuning: &Tuning, view: DebugView, p: IVec2) -> ([f32; 3], f32) {
         let coloured = |t: f32, value: f32| (false_colour(t), value);
         let surface = unpack_guide(self.guide.at(p));
-        let change = self.history_confidence.map_or(0.0, |c| 1.0 - c.at(p));
+        let change = self.history_confidence.map_or(0.0, |confidence| change_by(confidence.at(p)));
         let seen = self.reflection.map_or(SeenReflection::default(), |reflection| unpack_reflection(reflection.at(p)));
         match view {
             DebugView::HitDistance if seen.hit_distance == 0.0 => ([0.0; 3], 0.0),

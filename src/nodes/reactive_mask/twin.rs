@@ -2,6 +2,7 @@
 
 use crate::nodes::import::twin::rendered_guide;
 use crate::reference::bindings::Bindings;
+use crate::reference::both_confidences::change_by;
 use crate::reference::compare::Rule;
 use crate::reference::guide::unpack_guide;
 use crate::reference::luminance::texel_luminance;
@@ -35,7 +36,7 @@ pub(crate) fn reactive_mask(frame: &FrameConstants, inputs: &ReactiveInputs) -> 
         let q = light_pixel(frame, inputs.guide, p, surface.linear_depth);
         let lengths = inputs.histories.iter().map(|history| history.at(q).history_length);
         let shortest = lengths.fold(f32::INFINITY, f32::min).max(1.0);
-        let changed = inputs.confidence.map_or(0.0, |confidence| 1.0 - confidence.at(q));
+        let changed = inputs.confidence.map_or(0.0, |confidence| change_by(confidence.at(q)));
         let is_surface = !surface.is_background();
         let new = if is_surface { (1.0 / shortest).max(changed).clamp(0.0, 1.0) } else { 0.0 };
         let emission = inputs.emission.map_or([0.0; 4], |emission| emission.at(p));

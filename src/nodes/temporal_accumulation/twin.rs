@@ -1,5 +1,6 @@
 //! The stage `temporal_accumulation` \[SVGF 4.1\]: irradiance and moments of luminance accumulated along the motion of the surface.
 
+use crate::reference::both_confidences::change_by;
 use crate::reference::conventions::is_reset;
 use crate::reference::guide::{unpack_guide, Surface};
 use crate::reference::luminance_history::{LuminanceHistory, Reason};
@@ -168,7 +169,7 @@ pub(crate) fn temporal_accumulation(
     for (i, irradiance) in inputs.irradiance.iter().enumerate() {
         let signal = previous.and_then(|previous| previous.signals.get(i));
         let texels = Image::compute(extent, frame.render_extent, |p| {
-            let change = inputs.history_confidence.map_or(0.0, |confidence| 1.0 - confidence.at(p));
+            let change = inputs.history_confidence.map_or(0.0, |confidence| change_by(confidence.at(p)));
             let bounds = AlphaBounds::new(&tuning_of(p), inputs.history_confidence.is_some(), inputs.repair, change);
             let ratio = inputs.light_ratio.map_or([1.0; 3], |ratio| light::ratio_at(frame, ratio, p));
             let (c, luminance_history) = accumulate(frame, irradiance.at(p), histories.at(p), bounds, signal, ratio);

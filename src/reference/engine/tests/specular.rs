@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::config::{Preset, Signals};
-use crate::reference::both_confidences::specular_confidence;
+use crate::reference::both_confidences::{change_by, specular_confidence};
 use crate::Declaration;
 
 const EXTENT: [u32; 2] = [24, 24];
@@ -32,8 +32,7 @@ fn after(declaration: Declaration, reshaded: bool, of_specular: &str, [diffuse, 
         other => panic!("{name} is {}", other.kind()),
     };
     let confidence = match of_specular {
-        // What is left of diffuse light is less by a part in 4096 at most.
-        BOTH => [least(BOTH, |c| (c * 2048.0).round() / 2048.0), least(BOTH, specular_confidence)],
+        BOTH => [least(BOTH, |c| 1.0 - change_by(c)), least(BOTH, specular_confidence)],
         _ => [BOTH, of_specular].map(|name| least(name, |c| c)),
     };
     let Ok(Texels::Colour(denoised)) = engine.texels("denoised_radiance", UseFrame::Current) else { panic!("a picture") };
