@@ -42,7 +42,7 @@ impl<'a> Loader<'a> {
         let previous = self.previous.take().filter(|(number, ..)| number + self.setup.step == inputs.number);
         let before = previous.as_ref().map_or(inputs.params, |(_, params, _)| *params);
         let surface = motion::of_frame(&inputs, &before, &without_depth(self.setup));
-        if previous.is_none() || inputs.params.reset.is_some() {
+        if previous.is_none() || inputs.params.reset.is_some() || inputs.params.exposure_ratio != 1.0 {
             self.outlines.reset();
         }
         if averages {

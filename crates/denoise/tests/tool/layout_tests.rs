@@ -168,9 +168,16 @@ fn blender_with_lamps_in_its_albedo() {
     assert_eq!(inputs.images["albedo"][1][..3], [0.5; 3]);
 }
 
-/// A pixel beside a lamp, which it covers more or less from frame to frame.
-fn beside_a_lamp(options: &Options) -> Vec<f32> {
+/// A pixel beside a lamp, which it covers more or less from frame to frame. `last`: more of the camera of the last frame.
+fn beside_a_lamp(options: &Options, last: &str) -> Vec<f32> {
     let folder = tempfile::tempdir().expect("a temporary folder");
+    let identity = "[[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]";
+    let camera = |i: usize| {
+        let more = if i == 5 { last } else { "" };
+        format!(r#"{{"i": {i}, "view": {identity}, "proj": {identity}{more}}}"#)
+    };
+    let cameras: Vec<String> = (0..6).map(camera).collect();
+    std::fs::write(folder.path().join("sequence.json"), format!(r#"{{"frames": [{}]}}"#, cameras.join(", "))).expect("cameras");
     for (i, covered) in [0.0, 1.0, 0.5, 0.25, 0.75, 0.0].into_iter().enumerate() {
         let light = move |x: i32| 0.5 + 4.0 * if x < 8 { 1.0 } else { f32::from(x == 8) * covered };
         let mut sample = Sample::new(16, 12)
@@ -191,11 +198,14 @@ fn beside_a_lamp(options: &Options) -> Vec<f32> {
 #[test]
 fn the_outline_of_a_lamp_is_averaged_over_frames() {
     let given = [0.5, 4.5, 2.5, 1.5, 3.5, 0.5];
-    let averaged = beside_a_lamp(&Options::default());
+    let averaged = beside_a_lamp(&Options::default(), "");
     assert_eq!(averaged[..2], given[..2]);
     assert!(averaged[5] > 1.5 && averaged[5] < 3.0, "{averaged:?}");
     let enlarged = Options { output_size: Some([32, 24]), ..Options::default() };
-    assert_eq!(beside_a_lamp(&enlarged), given, "the stage that makes the larger picture does it itself");
+    assert_eq!(beside_a_lamp(&enlarged, ""), given, "the stage that makes the larger picture does it itself");
+    for cut in [r#", "reset": true"#, r#", "exposure_ratio": 2"#, r#", "jitter": [0.25, 0]"#] {
+        assert_eq!(beside_a_lamp(&Options::default(), cut)[5], given[5], "{cut}");
+    }
 }
 
 /// What fog scatters is filtered as a volume, and is no part of the surfaces.
