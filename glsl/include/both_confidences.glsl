@@ -1,5 +1,5 @@
-// Confidence in the histories of diffuse and of specular light in one number. It is that of diffuse light, less a part in 4096 at most, to whom does
-// not ask for the other. Twin: src/reference/both_confidences.rs.
+// Confidence in the histories of diffuse and of specular light in one number. Read as it is, it is that of diffuse light, less a part in 4096 at
+// most. Twin: src/reference/both_confidences.rs.
 #ifndef BOTH_CONFIDENCES_GLSL
 #define BOTH_CONFIDENCES_GLSL
 

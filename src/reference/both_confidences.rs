@@ -1,5 +1,5 @@
-//! Confidence in the histories of diffuse and of specular light in one number. It is that of diffuse light, less a part in 4096 at most, to
-//! whom does not ask for the other.
+//! Confidence in the histories of diffuse and of specular light in one number. Read as it is, it is that of diffuse light, less a part in 4096
+//! at most.
 
 /// Bits of specular light: steps of 1/2048, the last of which is 1.
 const SPECULAR_BITS: u32 = 0x7ff;

@@ -40,6 +40,7 @@ pub mod pipeline;
 pub mod plan;
 pub mod progress;
 pub mod range;
+mod raster;
 pub mod record;
 pub mod report;
 pub mod results;

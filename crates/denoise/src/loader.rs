@@ -5,6 +5,7 @@ use crate::frame::{self, FrameInputs};
 use crate::frame_files::FrameFiles;
 use crate::motion::{self, SurfaceMotion};
 use crate::outlines::Outlines;
+use crate::raster::Raster;
 use crate::setup::Setup;
 use atrous::config::{Conventions, MotionDepth};
 use atrous::FrameParams;
@@ -103,14 +104,10 @@ pub fn previous_depths(
 }
 
 /// The mean of the four pixels around a place, as far as they have a value, by their nearness.
-fn mean_around([x, y]: [f32; 2], [width, height]: [u32; 2], value: impl Fn(usize) -> Option<f32>) -> Option<f32> {
-    let (left, top) = (x.floor(), y.floor());
+fn mean_around(at: [f32; 2], extent: [u32; 2], value: impl Fn(usize) -> Option<f32>) -> Option<f32> {
     let (mut sum, mut weights) = (0.0, 0.0);
-    for (dx, dy) in [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)] {
-        let (px, py) = (left + dx, top + dy);
-        let is_inside = px >= 0.0 && py >= 0.0 && px < width as f32 && py < height as f32;
-        let weight = (1.0 - (x - px).abs()) * (1.0 - (y - py).abs());
-        if let Some(z) = is_inside.then(|| value(py as usize * width as usize + px as usize)).flatten() {
+    for (i, weight) in Raster::new(extent).taps(at) {
+        if let Some(z) = value(i) {
             (sum, weights) = (sum + weight * z, weights + weight);
         }
     }

@@ -2,6 +2,7 @@
 //! takes it as 0, which would make the picture brighter: so it is taken from the pixels beside first.
 
 use crate::frame_images::Texels;
+use crate::raster::Raster;
 
 /// Pixels to each side from which it is taken, at first and where that is not enough.
 const REACH: [usize; 2] = [1, 3];
@@ -27,10 +28,8 @@ fn take(texels: &mut Texels, width: usize, i: usize, component: usize, reach: us
     if lacks <= 0.0 || width == 0 {
         return;
     }
-    let (x, y, height) = (i % width, i / width, texels.len() / width);
-    let rows = y.saturating_sub(reach)..(y + reach + 1).min(height);
-    let columns = x.saturating_sub(reach)..(x + reach + 1).min(width);
-    let around = || rows.clone().flat_map(|y| columns.clone().map(move |x| y * width + x));
+    let raster = Raster::of_rows(width, texels.len());
+    let around = || raster.around(i, reach);
     let has: f32 = around().map(|j| texels[j][component]).filter(|v| *v > 0.0).sum();
     if has > 0.0 && has.is_finite() {
         let kept = (1.0 - lacks / has).max(0.0);

@@ -8,6 +8,7 @@
 use crate::frame::NOISY;
 use crate::frame_images::Texels;
 use crate::motion::SurfaceMotion;
+use crate::raster::Raster;
 use std::collections::BTreeMap;
 
 const EMISSION: &str = "emission";
@@ -35,10 +36,6 @@ pub struct Outlines {
     before: BTreeMap<&'static str, Past>,
 }
 
-/// Width and height of a picture.
-#[derive(Clone, Copy)]
-struct Size([usize; 2]);
-
 /// A pixel beside one that shows something else.
 struct Border {
     pixel: usize,
@@ -51,8 +48,11 @@ struct Border {
 }
 
 /// A border in an image.
-struct Edge<'a> {
-    border: &'a Border,
+struct Edge {
+    pixel: usize,
+    carried: f32,
+    /// The past there; `None` where there is none.
+    past: Option<Carried>,
     luminance: f32,
     /// Of the luminance around.
     range: [f32; 2],
@@ -74,8 +74,16 @@ struct Past {
     noise: f32,
 }
 
+/// What a past has at a place between the centres of pixels.
+#[derive(Clone, Copy)]
+struct Carried {
+    luminance: f32,
+    tried: f32,
+    mean: [f32; 3],
+    frames: f32,
+}
+
 /// Of the outlines of a frame, in squared ranges.
-#[derive(Clone, Copy, Default)]
 struct Noise {
     variance: f32,
     /// By which an outline is off that was carried half a pixel along both axes.
@@ -90,13 +98,14 @@ impl Outlines {
 
     /// Takes the next frame, and puts means into its outlines: into its emission, and into its light where no surface is.
     pub fn average(&mut self, images: &mut BTreeMap<&'static str, Texels>, surface: &SurfaceMotion, extent: [u32; 2]) {
-        let size = Size(extent.map(|side| side as usize));
-        let borders = borders(surface, size);
+        let raster = Raster::new(extent);
+        let borders = borders(surface, raster);
         for (name, texels) in images.iter_mut().filter(|(name, _)| **name == EMISSION || NOISY.contains(name)) {
             let is_emission = *name == EMISSION;
             let passes = borders.iter().filter(|border| is_emission || !surface.is_surface[border.pixel]);
-            let edges: Vec<_> = passes.filter_map(|border| Edge::of(border, texels, size, is_emission)).collect();
-            let next = Past::next(self.before.get(name), texels, edges, size);
+            let before = self.before.get(name);
+            let edges: Vec<_> = passes.filter_map(|border| Edge::of(border, texels, before, raster, is_emission)).collect();
+            let next = Past::next(before, texels, edges, raster);
             for (texel, [r, g, b]) in texels.iter_mut().zip(&next.mean) {
                 *texel = [*r, *g, *b, texel[3]];
             }
@@ -106,7 +115,7 @@ impl Outlines {
 }
 
 impl Past {
-    fn next(before: Option<&Self>, given: &Texels, mut edges: Vec<Edge<'_>>, size: Size) -> Self {
+    fn next(before: Option<&Self>, given: &Texels, mut edges: Vec<Edge>, raster: Raster) -> Self {
         let luminance: Vec<f32> = given.iter().map(luminance).collect();
         let mut next = Self {
             tried: luminance.clone(),
@@ -119,60 +128,63 @@ impl Past {
         let Some(before) = before else { return next };
         let parts = edges.iter().filter(|edge| edge.is_part).count() as f32;
         if parts < LEAST_PARTS * edges.len() as f32 {
-            edges.retain(|edge| edge.border.carried < STILL);
+            edges.retain(|edge| edge.carried < STILL);
         }
-        let mut noise = before.noise_of(&edges, size);
+        let mut noise = before.noise_of(&edges);
         next.noise = noise.variance;
         // What changes in a single frame is no noise.
         if before.number > 2 {
             noise.variance = noise.variance.min(before.noise);
         }
-        for Edge { border, .. } in edges {
-            let Border { pixel, before: place, carried, .. } = *border;
-            let Some((_, tried, past)) = before.carried(place, size) else { continue };
-            next.tried[pixel] = tried + TRIED * (next.tried[pixel] - tried);
+        for Edge { pixel, carried, past, .. } in edges {
+            let Some(past) = past else { continue };
+            next.tried[pixel] = past.tried + TRIED * (next.tried[pixel] - past.tried);
             if noise.variance > 0.0 {
                 let off = if carried < STILL { 0.0 } else { OF_MEAN * noise.off * carried };
-                let frames = before.frames[size.nearest(place)];
-                next.frames[pixel] = (1.0 + frames / (1.0 + frames * off / noise.variance)).min(MOST_FRAMES);
-                let (least, most) = range_of(size.beside(pixel).map(|i| given[i]));
+                next.frames[pixel] = (1.0 + past.frames / (1.0 + past.frames * off / noise.variance)).min(MOST_FRAMES);
+                let (least, most) = range_of(raster.beside(pixel).map(|i| given[i]));
                 for (c, mean) in next.mean[pixel].iter_mut().enumerate() {
-                    let past = past[c].clamp(least[c], most[c]);
-                    *mean = past + (*mean - past) / next.frames[pixel];
+                    let kept = past.mean[c].clamp(least[c], most[c]);
+                    *mean = kept + (*mean - kept) / next.frames[pixel];
                 }
             }
         }
         next
     }
 
-    /// Luminance given and tried, and the mean, at a place between the centres of pixels.
-    fn carried(&self, place: [f32; 2], size: Size) -> Option<(f32, f32, [f32; 3])> {
-        let (mut given, mut tried, mut mean) = (0.0, 0.0, [0.0; 3]);
-        for (i, weight) in size.taps(place)? {
-            given += weight * self.luminance[i];
-            tried += weight * self.tried[i];
-            (0..3).for_each(|c| mean[c] += weight * self.mean[i][c]);
+    /// `None` beyond the picture, and where something is not finite.
+    fn carried(&self, place: [f32; 2], raster: Raster) -> Option<Carried> {
+        let frames = self.frames[raster.at(place)?];
+        let (mut sum, mut weights) = ([0.0; 5], 0.0);
+        for (i, weight) in raster.taps(place) {
+            let [r, g, b] = self.mean[i];
+            let values = [self.luminance[i], self.tried[i], r, g, b];
+            sum = std::array::from_fn(|k| sum[k] + weight * values[k]);
+            weights += weight;
         }
-        [given, tried, mean[0], mean[1], mean[2]].iter().all(|v| v.is_finite()).then_some((given, tried, mean))
+        let [luminance, tried, mean @ ..] = sum.map(|value| value / weights);
+        sum.iter().all(|value| value.is_finite()).then_some(Carried { luminance, tried, mean, frames })
     }
 
     /// With noise alone the mean tells the frame after better than the frame before does, and where carrying alone makes a difference it tells it
     /// less well: two equations.
-    fn noise_of(&self, edges: &[Edge<'_>], size: Size) -> Noise {
+    fn noise_of(&self, edges: &[Edge]) -> Noise {
         let worse = TRIED_OFF - (TRIED_OFF - 1.0) * 0.5_f32.powi(self.number - 1);
         let (mut better, mut by_noise, mut squares, mut of_noise, mut carried) = (0.0, 0.0, 0.0, 0.0, 0.0);
         for edge in edges {
-            let Some((given, tried, _)) = self.carried(edge.border.before, size) else { continue };
+            let Some(Carried { luminance, tried, .. }) = edge.past else { continue };
             let range = (edge.range[1] - edge.range[0]).powi(2);
-            let [of_given, of_tried] = [given, tried].map(|past| (edge.luminance - past).powi(2));
-            // Between pixels noise is averaged, and that of a mean each time that it is carried.
-            let kept = (1.0 - 0.5 * edge.border.carried).powi(2);
-            let of_mean = (1..self.number).fold(1.0, |left, _| (1.0 - TRIED).powi(2) * kept * left + TRIED * TRIED);
+            let [of_given, of_tried] = [luminance, tried].map(|past| (edge.luminance - past).powi(2));
+            // Between pixels noise is averaged, and that of a mean each time that it is carried: a geometric series.
+            let kept = (1.0 - 0.5 * edge.carried).powi(2);
+            let ratio = (1.0 - TRIED).powi(2) * kept;
+            let (left, settled) = (ratio.powi(self.number - 1), TRIED * TRIED / (1.0 - ratio));
+            let of_mean = left + (1.0 - left) * settled;
             better += worse * of_given - of_tried;
             by_noise += range * (worse * (1.0 + kept) - 1.0 - kept * of_mean);
             squares += of_given;
             of_noise += range * (1.0 + kept);
-            carried += range * edge.border.carried;
+            carried += range * edge.carried;
         }
         let over = |value: f32, whole: f32| if whole > 0.0 { (value / whole).max(0.0) } else { 0.0 };
         let variance = over(better, by_noise);
@@ -180,12 +192,12 @@ impl Past {
     }
 }
 
-impl<'a> Edge<'a> {
+impl Edge {
     /// `None` where there is no contrast, and where something is not finite.
-    fn of(border: &'a Border, image: &Texels, size: Size, is_emission: bool) -> Option<Self> {
+    fn of(border: &Border, image: &Texels, before: Option<&Past>, raster: Raster, is_emission: bool) -> Option<Self> {
         let own = luminance(&image[border.pixel]);
         let (mut least, mut most) = (own, own);
-        for l in size.around(border.pixel).map(|i| luminance(&image[i])) {
+        for l in raster.around(border.pixel, 1).map(|i| luminance(&image[i])) {
             if !l.is_finite() {
                 return None;
             }
@@ -197,66 +209,30 @@ impl<'a> Edge<'a> {
             Some(open) => (own - luminance(&image[open])).abs() > PART.start * (most - least),
             None => false,
         };
-        (most - least > CONTRAST * most).then_some(Self { border, luminance: own, range: [least, most], is_part })
+        let Border { pixel, carried, .. } = *border;
+        let past = || before.and_then(|before| before.carried(border.before, raster));
+        let edge = || Self { pixel, carried, past: past(), luminance: own, range: [least, most], is_part };
+        (most - least > CONTRAST * most).then(edge)
     }
 }
 
-fn borders(surface: &SurfaceMotion, size: Size) -> Vec<Border> {
+fn borders(surface: &SurfaceMotion, raster: Raster) -> Vec<Border> {
     let kind = |i: usize| (surface.id[i], surface.is_surface[i]);
-    let is_inner = |pixel: usize| size.around(pixel).all(|i| kind(i) == kind(pixel));
+    let is_inner = |pixel: usize| raster.around(pixel, 1).all(|i| kind(i) == kind(pixel));
     let border = |pixel: usize| {
         if is_inner(pixel) {
             return None;
         }
         // An outline moves with what is in front.
         let distance = |i: usize| if surface.is_surface[i] { surface.depth[i] } else { f32::INFINITY };
-        let front = size.around(pixel).min_by(|a, b| distance(*a).total_cmp(&distance(*b))).unwrap_or(pixel);
-        let ([x, y], motion) = (size.place(pixel), surface.motion_px[front]);
+        let front = raster.around(pixel, 1).min_by(|a, b| distance(*a).total_cmp(&distance(*b))).unwrap_or(pixel);
+        let ([x, y], motion) = (raster.place(pixel), surface.motion_px[front]);
         let before = [x as f32 + motion[0], y as f32 + motion[1]];
         let carried = before.iter().map(|at| 2.0 * (at - at.floor()) * (1.0 - at + at.floor())).sum();
-        let open = size.around(pixel).find(|i| !surface.is_surface[*i] && is_inner(*i));
+        let open = raster.around(pixel, 1).find(|i| !surface.is_surface[*i] && is_inner(*i));
         Some(Border { pixel, open, before, carried })
     };
-    (0..size.0[0] * size.0[1]).filter_map(border).collect()
-}
-
-impl Size {
-    fn place(self, pixel: usize) -> [usize; 2] {
-        [pixel % self.0[0], pixel / self.0[0]]
-    }
-
-    /// The 3×3 pixels around one, as far as they exist.
-    fn around(self, pixel: usize) -> impl Iterator<Item = usize> {
-        let (Self([width, height]), [x, y]) = (self, self.place(pixel));
-        let columns = x.saturating_sub(1)..width.min(x + 2);
-        (y.saturating_sub(1)..height.min(y + 2)).flat_map(move |y| columns.clone().map(move |x| y * width + x))
-    }
-
-    /// A pixel with those left, right, above and below.
-    fn beside(self, pixel: usize) -> impl Iterator<Item = usize> {
-        let [x, y] = self.place(pixel);
-        self.around(pixel).filter(move |i| self.place(*i)[0] == x || self.place(*i)[1] == y)
-    }
-
-    /// The pixel at a place inside of the picture.
-    fn nearest(self, [x, y]: [f32; 2]) -> usize {
-        let Self([width, height]) = self;
-        (y.round() as usize).min(height - 1) * width + (x.round() as usize).min(width - 1)
-    }
-
-    /// The pixels around a place, with their weights; `None` beyond the picture.
-    fn taps(self, [x, y]: [f32; 2]) -> Option<[(usize, f32); 4]> {
-        let Self([width, height]) = self;
-        let is_inside = |at: f32, side: usize| at >= -0.5 && at <= side as f32 - 0.5;
-        if !is_inside(x, width) || !is_inside(y, height) {
-            return None;
-        }
-        let (x, y) = (x.clamp(0.0, (width - 1) as f32), y.clamp(0.0, (height - 1) as f32));
-        let (left, top) = (x.floor(), y.floor());
-        let ([fx, fy], [column, row]) = ([x - left, y - top], [left as usize, top as usize]);
-        let tap = |dx: usize, dy: usize, weight: f32| ((row + dy).min(height - 1) * width + (column + dx).min(width - 1), weight);
-        Some([tap(0, 0, (1.0 - fx) * (1.0 - fy)), tap(1, 0, fx * (1.0 - fy)), tap(0, 1, (1.0 - fx) * fy), tap(1, 1, fx * fy)])
-    }
+    (0..raster.pixels()).filter_map(border).collect()
 }
 
 fn luminance([r, g, b, _]: &[f32; 4]) -> f32 {
@@ -334,7 +310,7 @@ mod tests {
             let (given, surface) = (emission(x, samples, frame), surface(x, motion));
             let mut images = BTreeMap::from([(name, given.clone())]);
             outlines.average(&mut images, &surface, EXTENT);
-            let borders = borders(&surface, Size(EXTENT.map(|side| side as usize)));
+            let borders = borders(&surface, Raster::new(EXTENT));
             let passes: Vec<_> = borders.iter().filter(|b| name == EMISSION || !surface.is_surface[b.pixel]).collect();
             let rmse = |image: &Texels| {
                 let squares = passes.iter().map(|b| (image[b.pixel][0] - truth[b.pixel][0]).powi(2)).sum::<f32>();

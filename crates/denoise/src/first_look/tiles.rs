@@ -1,6 +1,8 @@
 //! Noise in an image, told from what surfaces explain: in tiles where most pixels differ from those
 //! beside them, and as much from the same place of the frame before, there is nothing but noise.
 
+use crate::raster::Raster;
+
 /// Side of a tile, pixels.
 const TILE: usize = 16;
 /// A pixel differs from those beside it where their deviation is above this share of their mean.
@@ -93,13 +95,10 @@ impl Pair<'_> {
 
     /// Mean and deviation of the 3x3 pixels around one.
     fn around(&self, x: usize, y: usize) -> (f32, f32) {
-        let [width, height] = self.extent.map(|side| side as usize);
         let (mut sum, mut squares, mut count) = (0.0, 0.0, 0.0);
-        for q in y.saturating_sub(1)..(y + 2).min(height) {
-            for p in x.saturating_sub(1)..(x + 2).min(width) {
-                let v = self.values[1][q * width + p];
-                (sum, squares, count) = (sum + v, squares + v * v, count + 1.0);
-            }
+        for i in Raster::new(self.extent).around(y * self.extent[0] as usize + x, 1) {
+            let v = self.values[1][i];
+            (sum, squares, count) = (sum + v, squares + v * v, count + 1.0);
         }
         let mean: f32 = sum / count;
         (mean, (squares / count - mean * mean).max(0.0).sqrt())
