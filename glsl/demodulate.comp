@@ -10,7 +10,7 @@
 //      for the temporal gradients of the next frame; and noisy_red_blue, for its ratio of light. Both hold the candidate of every stratum
 //      where that alone is asked for, else every pixel.
 // Constants: SAMPLING: levels of [EAW] that fill the holes of a sub-sampled input; 0 where every pixel has a sample. STRATUM_SIZE: with
-// LUMINANCE; 1 without candidates.
+// LUMINANCE; 1 without candidates. COAT: the only signal is specular light.
 // optional: albedo, specular_albedo, specular_f0, roughness, specular_hit_distance, noisy_1, irradiance_1, compared_0, compared_1, noisy_red_blue, candidates
 // variants: LUMINANCE=0 LUMINANCE=1
 #extension GL_EXT_control_flow_attributes : require
@@ -19,6 +19,7 @@
 
 layout(constant_id = 1) const uint SAMPLING = 0u;
 layout(constant_id = 2) const bool SPECULAR = false;
+layout(constant_id = 3) const bool COAT = false;
 
 layout(push_constant) uniform Push {
     uint present;

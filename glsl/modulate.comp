@@ -52,6 +52,8 @@ layout(set = 0, binding = DENOISED_RADIANCE, OUTGOING_FORMAT) uniform writeonly 
 layout(set = 0, binding = FILTERED_0) uniform texture2D filtered_0;
 layout(set = 0, binding = FILTERED_1) uniform texture2D filtered_1;
 
+// Specular light alone is not modulated.
+const bool COAT = false;
 #include "divisor.glsl"
 #include "rendered_guide.glsl"
 

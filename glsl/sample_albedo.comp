@@ -5,12 +5,13 @@
 // In:  gradient_samples; candidates of this frame; guide; albedo, with specular_albedo of mixed light, or specular_f0, by which demodulate
 //      divided. candidate_albedo of the previous frame. In place, pixels of samples only: irradiance per signal. Out: candidate_albedo: rgb: divisor
 //      at the candidate of every stratum.
-// Constants: STRATUM_SIZE. SPECULAR: the second signal is specular light, with a candidate_albedo of its own.
+// Constants: STRATUM_SIZE. SPECULAR: the second signal is specular light, with a candidate_albedo of its own. COAT: the only one is.
 // optional: irradiance_1, albedo, specular_f0, roughness, specular_albedo, previous_candidate_albedo_1, candidate_albedo_1
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 
 layout(constant_id = 1) const bool SPECULAR = false;
+layout(constant_id = 2) const bool COAT = false;
 
 layout(push_constant) uniform Push {
     uint present;

@@ -11,6 +11,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("roughness_and_hit_distances_out_of_range_are_counted_and_do_not_spread", out_of_range),
     ("a_black_specular_albedo_gives_a_picture", black_albedo),
     ("the_sum_of_both_lights_comes_out", both_lights),
+    ("little_specular_light_comes_out_as_it_came", dark_albedo),
     ("rough_surfaces_of_which_no_distance_is_known_are_as_good_as_diffuse_ones", rough_without_distances),
 ];
 
@@ -72,6 +73,26 @@ fn both_lights() {
             let truth: Vec<[f32; 4]> = sum.collect();
             let (error, without) = (rmse(&denoised, &truth), rmse(&guides.clean, &truth));
             assert!(error < 0.5 * without, "{preset}, frame {i}: {error}, without specular light {without}");
+        }
+    }
+}
+
+/// An albedo of the base would divide it in another way.
+fn dark_albedo() {
+    let scene = Scene { speed: 0.1, ..Scene::new([36, 18]) };
+    for preset in [Preset::Svgf, Preset::Asvgf, Preset::Percentile, Preset::Fast, Preset::Eaw, Preset::Best] {
+        for albedo in [0.01, 0.03, 0.06] {
+            let mut s = session(&Config { preset, ..config(scene.extent) });
+            let light = 0.8 * albedo;
+            for i in 0..4 {
+                let mut guides = scene.frame(i, i);
+                guides.noisy_diffuse.fill([0.0; 4]);
+                guides.noisy_specular.fill([light; 4]);
+                guides.specular_albedo.fill([albedo; 4]);
+                let (_, denoised) = frame(&mut s, &guides, &scene.params(i), &Tuning::for_preset(preset));
+                let wrong = denoised.iter().filter(|pixel| (pixel[0] / light - 1.0).abs() > 0.01).count();
+                assert_eq!(wrong, 0, "{preset}, albedo {albedo}, frame {i}: of {}, such as {:?}", denoised.len(), denoised[99]);
+            }
         }
     }
 }

@@ -5,7 +5,8 @@
 #include "finite.glsl"
 #include "luminance.glsl"
 
-// The largest component below which an albedo divides less and less: light from a black surface is not what it reflects.
+// The largest component below which an albedo divides no more than one that has this: little of the light of a dark surface is a reflection. Below
+// half of it, it does not divide at all.
 const float DARK_ALBEDO = 0.05;
 // The least component that divides: at all, and as a share of the largest one.
 const float LEAST_ALBEDO = 0.02;
@@ -16,19 +17,22 @@ vec3 reflectance_of(vec3 albedo) {
     return albedo;
 }
 
-// How little an albedo divides: 1 where it is black.
-float darkness_of(vec3 reflectance) {
-    return 1.0 - min(max(reflectance.r, max(reflectance.g, reflectance.b)) / DARK_ALBEDO, 1.0);
-}
+float largest_of(vec3 reflectance) { return max(reflectance.r, max(reflectance.g, reflectance.b)); }
 
-// Whether light is kept apart from all other: its albedo divides next to nothing, or is unknown.
-bool is_apart(vec3 albedo) { return !is_finite(albedo) || darkness_of(reflectance_of(albedo)) > 0.5; }
+bool is_black(vec3 reflectance) { return largest_of(reflectance) < 0.5 * DARK_ALBEDO; }
+
+// Whether light is kept apart from all other: its albedo does not divide it, or is unknown.
+bool is_apart(vec3 albedo) { return !is_finite(albedo) || is_black(reflectance_of(albedo)); }
+
+vec3 limited(vec3 reflectance) { return max(reflectance, max(LEAST_ALBEDO, SATURATED_ALBEDO * largest_of(reflectance))); }
 
 // The divisor of radiance, with which it is multiplied again.
 vec3 divisor_of(vec3 albedo) {
     albedo = reflectance_of(albedo);
-    float largest = max(albedo.r, max(albedo.g, albedo.b)), darkness = darkness_of(albedo);
-    return mix(max(albedo, max(LEAST_ALBEDO, SATURATED_ALBEDO * largest)), vec3(1.0), darkness * darkness);
+    return is_black(albedo) ? vec3(1.0) : limited(albedo * max(DARK_ALBEDO / largest_of(albedo), 1.0));
 }
+
+// The same of specular light, of which there is little where little is reflected: black divides as a dark albedo does.
+vec3 coat_divisor_of(vec3 albedo) { return limited(max(reflectance_of(albedo), DARK_ALBEDO)); }
 
 #endif

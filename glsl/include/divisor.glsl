@@ -1,7 +1,7 @@
 // What the light of a pixel is divided by: what the host says that its surface reflects. Twin: albedo_at and divisor in
 // src/nodes/demodulate/twin.rs.
-// Needs the bindings ALBEDO, SPECULAR_ALBEDO, SPECULAR_F0 and ROUGHNESS, which are optional, and the constant SPECULAR: whether the second of two
-// signals is specular light, with a divisor of its own.
+// Needs the bindings ALBEDO, SPECULAR_ALBEDO, SPECULAR_F0 and ROUGHNESS, which are optional, and two constants. SPECULAR: whether the second of two
+// signals is specular light, with a divisor of its own. COAT: whether the first signal is, by ALBEDO.
 #ifndef DIVISOR_GLSL
 #define DIVISOR_GLSL
 #include "demodulation.glsl"
@@ -42,7 +42,8 @@ vec3 divisor_at(ivec2 p, GuideBits packed, bool second, out bool bad) {
     else if (second) a = coat_at(traced);
     else a = albedo_at(traced);
     bad = !is_finite(a);
-    return divisor_of(from_f0 ? specular_albedo_from(a, roughness_at(traced), p, packed) : a);
+    if (from_f0) a = specular_albedo_from(a, roughness_at(traced), p, packed);
+    return second || COAT ? coat_divisor_of(a) : divisor_of(a);
 }
 
 #endif

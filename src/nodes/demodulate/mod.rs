@@ -64,6 +64,8 @@ pub(super) struct Divisor {
     coat: Option<Image>,
     /// Whether `albedo` divides the first of two signals alone, and `coat` or `specular_f0` the second.
     pub(super) of_each: bool,
+    /// Whether `albedo` is that of specular light.
+    pub(super) of_coat: bool,
 }
 
 impl Divisor {
@@ -81,6 +83,7 @@ impl Divisor {
                     albedo: input(Input::SPECULAR_ALBEDO),
                     specular_f0: input(Input::SPECULAR_F0),
                     roughness: input(Input::ROUGHNESS),
+                    of_coat: true,
                     ..Self::default()
                 }
             }
@@ -93,6 +96,7 @@ impl Divisor {
                     roughness: input(Input::ROUGHNESS),
                     coat: input(Input::SPECULAR_ALBEDO),
                     of_each: true,
+                    of_coat: false,
                 }
             }
         }
@@ -102,7 +106,7 @@ impl Divisor {
     fn of_divided(self, irradiance: &Irradiance) -> Option<(Irradiance, Self)> {
         match (self.albedo, irradiance.images()) {
             (None, [_, second]) if self.of_each => {
-                Some((Port::of(*second), Self { albedo: self.coat, coat: None, of_each: false, ..self }))
+                Some((Port::of(*second), Self { albedo: self.coat, coat: None, of_each: false, of_coat: true, ..self }))
             }
             (albedo, _) => albedo.map(|_| (*irradiance, self)),
         }
@@ -138,6 +142,7 @@ impl Graph {
         let mut pass = pass(&node, module)
             .constant("SAMPLING", demodulate.sampling as u32)
             .constant("SPECULAR", u32::from(demodulate.albedo == Albedo::Each))
+            .constant("COAT", u32::from(demodulate.albedo == Albedo::Specular))
             .value("sigma_n", Value::Fixed(HOLE_SIGMA_N))
             .value("sigma_z", Value::Fixed(HOLE_SIGMA_Z))
             .bind("guide", guides.guide)

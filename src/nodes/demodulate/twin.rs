@@ -21,8 +21,8 @@ use std::borrow::Cow;
 #[cfg(test)]
 mod tests;
 
-/// The largest component below which an albedo divides less and less, down to nothing at 0: the light of a nearly black surface is
-/// hardly what it reflects, and its neighbours would multiply it.
+/// The largest component below which an albedo divides no more than one that has this: little of the light of a dark surface is a
+/// reflection, and its neighbours would multiply it. Below half of it, it does not divide at all.
 pub(crate) const DARK_ALBEDO: f32 = 0.05;
 
 /// The least component that divides.
@@ -44,6 +44,8 @@ pub(crate) struct DemodulateInputs<'a> {
     pub specular_f0: Option<SpecularF0<'a>>,
     /// x: distance from the surface to what is seen in it, scene units; 0 or infinite: beyond the scene.
     pub specular_hit_distance: Option<&'a Image<[f32; 4]>>,
+    /// Whether the light is specular, and the albedo that of a coat or metal.
+    pub is_specular: bool,
     /// Whether the input is sub-sampled: pixels without a sample are no bad values then, and others fill them.
     pub is_sub_sampled: bool,
 }
@@ -64,29 +66,44 @@ pub(crate) fn reflectance([r, g, b, _]: [f32; 4]) -> [f32; 3] {
     [r, g, b].map(|a| if a.is_finite() { a.clamp(0.0, 1.0) } else { 1.0 })
 }
 
-/// How little a reflectance divides: 1 where it is black.
-fn darkness(reflectance: [f32; 3]) -> f32 {
-    1.0 - (reflectance.into_iter().fold(0.0, f32::max) / DARK_ALBEDO).min(1.0)
+fn largest(reflectance: [f32; 3]) -> f32 {
+    reflectance.into_iter().fold(0.0, f32::max)
 }
 
-/// Whether light is kept apart from all other: its albedo divides next to nothing, or is unknown.
+fn is_black(reflectance: [f32; 3]) -> bool {
+    largest(reflectance) < 0.5 * DARK_ALBEDO
+}
+
+/// Whether light is kept apart from all other: its albedo does not divide it, or is unknown.
 pub(crate) fn is_apart(albedo: [f32; 4]) -> bool {
-    albedo[..3].iter().any(|a| !a.is_finite()) || darkness(reflectance(albedo)) > 0.5
+    !is_known(albedo) || is_black(reflectance(albedo))
+}
+
+fn is_known(albedo: [f32; 4]) -> bool {
+    albedo[..3].iter().all(|a| a.is_finite())
+}
+
+fn limited(reflectance: [f32; 3]) -> [f32; 3] {
+    let least = LEAST_ALBEDO.max(SATURATED_ALBEDO * largest(reflectance));
+    reflectance.map(|a| a.max(least))
 }
 
 /// The divisor of radiance, with which `modulate` multiplies again: the albedo within 0 to 1, 1 for a component that is not finite,
-/// and nearer to 1 the darker the surface is. Also whether a component was not finite.
+/// and 1 where it is black. Also whether a component was not finite.
 pub(crate) fn divisor(albedo: Option<[f32; 4]>) -> ([f32; 3], bool) {
-    let [r, g, b, _] = albedo.unwrap_or([1.0; 4]);
-    let given = [r, g, b];
-    let reflectance = reflectance([r, g, b, 1.0]);
-    let largest = reflectance.into_iter().fold(0.0, f32::max);
-    let share_of_one = darkness(reflectance).powi(2);
-    let divisor = reflectance.map(|a| {
-        let a = a.max(LEAST_ALBEDO).max(SATURATED_ALBEDO * largest);
-        a * (1.0 - share_of_one) + share_of_one
-    });
-    (divisor, given.iter().any(|a| !a.is_finite()))
+    let albedo = albedo.unwrap_or([1.0; 4]);
+    let reflectance = reflectance(albedo);
+    let divisor = match is_black(reflectance) {
+        true => [1.0; 3],
+        false => limited(reflectance.map(|a| a * (DARK_ALBEDO / largest(reflectance)).max(1.0))),
+    };
+    (divisor, !is_known(albedo))
+}
+
+/// The same of specular light, of which there is little where little is reflected: black divides as a dark albedo does.
+pub(crate) fn specular_divisor(albedo: Option<[f32; 4]>) -> ([f32; 3], bool) {
+    let albedo = albedo.unwrap_or([1.0; 4]);
+    (limited(reflectance(albedo).map(|a| a.max(DARK_ALBEDO))), !is_known(albedo))
 }
 
 /// The albedo of a pixel: the host's, or that of its reflectance at normal incidence; none in the background.
@@ -135,7 +152,8 @@ pub(crate) fn demodulate(frame: &FrameConstants, tuning: &Tuning, inputs: &Demod
             .filter(|_| inputs.albedo.is_none() && !surface.is_background())
             .map(|f0| f0.image.at(frame.guide_pixel(p)));
         let is_f0_bad = f0.is_some_and(|f0| f0[..3].iter().any(|c| !c.is_finite()));
-        let (divisor, is_bad) = divisor(albedo_at(frame, &surface, inputs.albedo, inputs.specular_f0, p));
+        let albedo = albedo_at(frame, &surface, inputs.albedo, inputs.specular_f0, p);
+        let (divisor, is_bad) = if inputs.is_specular { specular_divisor(albedo) } else { divisor(albedo) };
         (divisor, is_bad || is_f0_bad)
     });
     let distances = inputs.specular_hit_distance.map(|image| {
@@ -191,7 +209,8 @@ pub(crate) fn of_each(
     let (first, second) = inputs.noisy.split_at(1);
     let diffuse = DemodulateInputs { noisy: first, specular_f0: None, specular_hit_distance: None, ..*inputs };
     let mut outputs = demodulate(frame, tuning, &diffuse);
-    let specular = demodulate(frame, tuning, &DemodulateInputs { noisy: second, albedo: specular_albedo, ..*inputs });
+    let specular =
+        demodulate(frame, tuning, &DemodulateInputs { noisy: second, albedo: specular_albedo, is_specular: true, ..*inputs });
     outputs.irradiance.extend(specular.irradiance);
     DemodulateOutputs { statistics: outputs.statistics.plus(&specular.statistics), ..outputs }
 }
@@ -261,6 +280,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         albedo: albedo.as_deref(),
         specular_f0: SpecularF0::of(b)?,
         specular_hit_distance: b.optional_colour("specular_hit_distance")?,
+        is_specular: b.is_on("COAT")?,
         is_sub_sampled: b.is_on("SAMPLING")?,
     };
     let outputs = match b.is_on("SPECULAR")? {

@@ -29,6 +29,7 @@ impl Graph {
             .bind("gradient_samples", samples.image)
             .bind("candidates", samples.candidates)
             .constant("SPECULAR", u32::from(divisor.of_each))
+            .constant("COAT", u32::from(divisor.of_coat))
             .each_previous("previous_candidate_albedo", &kept)
             .each("candidate_albedo", &kept)
             .each("irradiance", irradiance.images());

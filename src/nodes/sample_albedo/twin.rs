@@ -1,6 +1,6 @@
 //! The stage `sample_albedo`: light of gradient samples over the albedo of the points that it comes from.
 
-use crate::nodes::demodulate::twin::{albedo_at, divisor, with_coat};
+use crate::nodes::demodulate::twin::{albedo_at, divisor, specular_divisor, with_coat};
 use crate::reference::binary16::store;
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::Rule;
@@ -30,6 +30,8 @@ pub(crate) struct SampleAlbedoInputs<'a> {
     pub albedo: Option<&'a Image<[f32; 4]>>,
     /// rgb: reflectance at normal incidence, where that made the divisor.
     pub specular_f0: Option<SpecularF0<'a>>,
+    /// Whether the light is specular, and the albedo that of a coat or metal.
+    pub is_specular: bool,
 }
 
 /// Outputs of [`sample_albedo`].
@@ -46,7 +48,8 @@ pub(crate) fn sample_albedo(frame: &FrameConstants, stratum_size: u32, inputs: &
     let strata = Strata::new(frame, stratum_size);
     let divisor_at = |p: IVec2| {
         let albedo = albedo_at(frame, &unpack_guide(inputs.guide.at(p)), inputs.albedo, inputs.specular_f0, p);
-        divisor(albedo).0.map(store)
+        let (divisor, _) = if inputs.is_specular { specular_divisor(albedo) } else { divisor(albedo) };
+        divisor.map(store)
     };
     let last_pixel = UVec2::from(frame.render_extent).as_ivec2() - 1;
     let candidate_albedo = Image::compute(inputs.candidates.extent(), strata.count().into(), |s| {
@@ -94,12 +97,21 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         irradiance: if is_of_each { &irradiance[..1] } else { &irradiance },
         albedo: albedo.as_deref(),
         specular_f0: specular_f0.filter(|_| !is_of_each),
+        is_specular: b.is_on("COAT")?,
     };
     let mut outputs = sample_albedo(b.frame, size, &first);
     if is_of_each {
         let previous_candidate_albedo = b.optional_colour("previous_candidate_albedo_1")?;
         let irradiance = &irradiance[1..];
-        let second = SampleAlbedoInputs { previous_candidate_albedo, irradiance, albedo: specular_albedo, specular_f0, ..first };
+        let is_specular = true;
+        let second = SampleAlbedoInputs {
+            previous_candidate_albedo,
+            irradiance,
+            albedo: specular_albedo,
+            specular_f0,
+            is_specular,
+            ..first
+        };
         let specular = sample_albedo(b.frame, size, &second);
         b.write("candidate_albedo_1", specular.candidate_albedo)?;
         outputs.irradiance.extend(specular.irradiance);
@@ -132,6 +144,7 @@ mod tests {
             irradiance: &[&Image::new(EXTENT, [2.0, 3.0, 5.0, 7.0]), &Image::new(EXTENT, [1.0, 1.0, 1.0, 0.0])],
             albedo: Some(&albedo),
             specular_f0: None,
+            is_specular: false,
         };
         sample_albedo(frame, 3, &inputs)
     }

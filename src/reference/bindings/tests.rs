@@ -65,7 +65,7 @@ fn counts_are_added_to_those_before() {
     let before = counts(&[(Counter::Depth, 1), (Counter::Radiance, 7)]);
     let guide = Texels::Packed(Image::new([2, 1], pack_guide(&surface(2.0))));
     let noisy = Texels::Colour(paint([2, 1], |x, _| [if x == 0 { f32::NAN } else { 1.0 }; 4]));
-    let mut b = Bindings::new("demodulate", &frame, &tuning).with_constants(&[("SAMPLING", 0), ("SPECULAR", 0)]);
+    let mut b = Bindings::new("demodulate", &frame, &tuning).with_constants(&[("SAMPLING", 0), ("SPECULAR", 0), ("COAT", 0)]);
     for (name, texels) in [("statistics", &before), ("guide", &guide), ("noisy_0", &noisy)] {
         b.reads(name, texels);
     }

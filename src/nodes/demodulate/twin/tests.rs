@@ -20,6 +20,7 @@ fn run(guides: &Guides, noisy: &[&Image<[f32; 4]>], albedo: Option<&Image<[f32; 
             albedo,
             specular_f0: None,
             specular_hit_distance: None,
+            is_specular: false,
             is_sub_sampled: false,
         },
     )
@@ -59,6 +60,18 @@ fn light_over_an_odd_albedo_is_not_multiplied_up() {
         assert!(largest_factor([a, 0.0, a / 3.0]) < 50.5, "saturated of {a}");
     }
     assert!((largest_factor([0.25, 0.1, 0.05]) - 20.0).abs() < 1e-3, "a dark texture is divided by itself");
+}
+
+#[test]
+fn specular_light_is_divided_by_a_dark_albedo_too() {
+    for (albedo, diffuse, specular) in
+        [(0.0, 1.0, 0.05), (0.02, 1.0, 0.05), (0.025, 0.05, 0.05), (0.06, 0.06, 0.06), (0.5, 0.5, 0.5)]
+    {
+        let given = Some([albedo; 4]);
+        assert_eq!((divisor(given), specular_divisor(given)), (([diffuse; 3], false), ([specular; 3], false)), "{albedo}");
+    }
+    let unknown = Some([f32::NAN, 0.5, 0.04, 1.0]);
+    assert_eq!((divisor(unknown), specular_divisor(unknown)), (([1.0, 0.5, 0.1], true), ([1.0, 0.5, 0.1], true)));
 }
 
 #[test]
@@ -133,6 +146,7 @@ fn outside_the_render_extent_nothing_is_read() {
         albedo: Some(&loose),
         specular_f0: None,
         specular_hit_distance: None,
+        is_specular: false,
         is_sub_sampled: false,
     };
     let output = demodulate(&in_large, &Tuning::default(), &inputs);
@@ -152,6 +166,7 @@ fn hit_distances_stand_in_alpha_and_bad_ones_are_counted() {
         albedo: None,
         specular_f0: None,
         specular_hit_distance: Some(&distances),
+        is_specular: false,
         is_sub_sampled: false,
     };
     let output = demodulate(&frame(extent), &Tuning::default(), &inputs);
@@ -173,6 +188,7 @@ fn specular_light_comes_back_through_either_albedo() {
             albedo,
             specular_f0: f0,
             specular_hit_distance: None,
+            is_specular: true,
             is_sub_sampled: false,
         };
         let frame = frame(EXTENT);

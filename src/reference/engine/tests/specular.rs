@@ -2,6 +2,8 @@
 
 use super::*;
 use crate::config::{Preset, Signals};
+use crate::graph::{Graph, Radiance};
+use crate::nodes::{Albedo, Demodulate, Import, Modulate};
 use crate::reference::both_confidences::{change_by, specular_confidence};
 use crate::Declaration;
 
@@ -61,4 +63,44 @@ fn the_change_test_sees_light_that_changes_in_reflections_alone() {
             assert_eq!(confidence, expected, "{preset}: {light:?}");
         }
     }
+}
+
+#[test]
+fn light_that_is_divided_apart_or_as_one_of_two_comes_back() {
+    let divided = |apart: bool| {
+        let mut g = Graph::new(EXTENT);
+        let guides = g.import(Import { surface_id: false, ..Import::default() });
+        let (diffuse, specular) = (g.radiance("noisy_diffuse"), g.radiance("noisy_specular"));
+        let demodulate = |g: &mut Graph, light: &Radiance, albedo| {
+            g.scope(&format!("{albedo:?}"), |g| g.demodulate(&guides, light, Demodulate { albedo, ..Demodulate::default() }))
+        };
+        let irradiance = match apart {
+            true => {
+                let diffuse = demodulate(&mut g, &diffuse, Albedo::Diffuse);
+                let specular = demodulate(&mut g, &specular, Albedo::Specular);
+                g.pair(&diffuse, &specular)
+            }
+            false => {
+                let both = g.pair(&diffuse, &specular);
+                demodulate(&mut g, &both, Albedo::Each)
+            }
+        };
+        let radiance = g.modulate(&guides, &irradiance, Modulate { specular: true, emission: false, ..Modulate::default() });
+        g.output("sum", &radiance);
+        let mut engine = Engine::new(g.finish().expect("valid")).expect("twins");
+        for (name, texel) in [
+            ("depth", [4.0; 4]),
+            ("normal", [0.0, 0.0, 1.0, 0.0]),
+            ("albedo", [0.02; 4]),
+            ("specular_albedo", [0.01; 4]),
+            ("noisy_diffuse", [0.25; 4]),
+            ("noisy_specular", [0.5; 4]),
+        ] {
+            engine.upload(name, Image::new(EXTENT, texel).texels()).expect(name);
+        }
+        engine.run(&FrameParams::new(EXTENT), &Tuning::default()).expect("frame");
+        let Ok(Texels::Colour(sum)) = engine.texels("sum", UseFrame::Current) else { panic!("a picture") };
+        sum.at(glam::IVec2::splat(12))[0]
+    };
+    assert_eq!([true, false].map(|apart| (divided(apart) * 1000.0).round()), [750.0; 2]);
 }
