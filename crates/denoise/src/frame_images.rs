@@ -5,6 +5,7 @@ use crate::exr_read::Samples;
 use crate::layouts::Layout;
 use crate::roles::Role;
 use crate::setup::Setup;
+use crate::transmission::{behind, is_black, Transmission};
 use atrous::config::{DepthEncoding, MotionDepth, NormalSpace, Signals, ViewForward};
 use atrous::Input;
 use std::collections::BTreeMap;
@@ -157,7 +158,6 @@ impl Channels<'_> {
         let signals = self.setup.config.signals;
         let is_mixed = signals == Signals::Mixed;
         let has_coat = signals == Signals::Specular || (is_mixed && self.setup.mapping.has(Role::SpecularAlbedo));
-        images.extend(self.albedo(has_coat).map(|a| ("albedo", a)));
         // In every channel, since the conventions may be those of a host's image.
         images.extend(self.scalars(Role::Roughness).map(|r| ("roughness", r.into_iter().map(|r| [r; 4]).collect())));
         if has_coat {
@@ -175,25 +175,29 @@ impl Channels<'_> {
             depth.iter_mut().flatten().for_each(|z| z[0] *= self.setup.scales.depth);
         }
         images.insert("depth", depth.unwrap_or_else(|| vec![[1.0; 4]; pixels]));
+        let albedo = self.albedo(has_coat, images);
+        images.extend(albedo.map(|a| ("albedo", a)));
         if let Some(motion) = self.motion(camera.is_some()) {
             images.insert("motion", motion);
         }
     }
 
-    /// The reflectance of what is filtered with it. A renderer's albedo for denoisers has the light in it
-    /// that glass and hair pass on, and the coat, which specular light apart has no use for. That of Blender has lamps and sky in it, too: where
-    /// one of them is a part of a pixel, light that is filtered would be multiplied by them.
-    fn albedo(&mut self, is_specular: bool) -> Option<Texels> {
-        let emission = self.setup.mapping.is_for_denoisers(Role::Albedo).then(|| self.emission()).flatten();
-        let albedo = self.vectors(Role::Albedo).map(|all| without(&all, &emission));
-        let parts = (self.vectors(Role::DiffuseColour), self.vectors(Role::SpecularAlbedo));
-        match (albedo, parts) {
-            (Some(all), (Some(base), coat)) if is_specular => {
-                let bare = coat.map_or_else(|| all.clone(), |coat| combine(&all, &coat, |all, coat| all - coat));
-                Some(combine(&bare, &base, f32::max))
-            }
-            (albedo, (base, _)) => albedo.or(base),
-        }
+    /// The reflectance of what is filtered with it.
+    fn albedo(&mut self, is_specular: bool, images: &BTreeMap<&'static str, Texels>) -> Option<Texels> {
+        let is_for_denoisers = self.setup.mapping.is_for_denoisers(Role::Albedo);
+        // That of Blender has lamps and the sky in it. Where one of them is a part of a pixel, light that is filtered would be multiplied by them.
+        let emission = is_for_denoisers.then(|| self.emission()).flatten();
+        let all = self.vectors(Role::Albedo).map(|all| without(&all, &emission));
+        let (base, coat) = (self.vectors(Role::DiffuseColour), self.vectors(Role::SpecularAlbedo).filter(|_| is_specular));
+        let (Some(all), Some(base), Some(coat)) = (&all, &base, coat) else { return all.or(base) };
+        let ids = is_for_denoisers.then(|| self.surface_ids(images)).flatten();
+        let transmits = ids.and_then(|ids| Some(Transmission::new(self.setup, &ids, base, images)?.pixels()));
+        let of_pixel = |i: usize| match &transmits {
+            Some(transmits) if transmits[i] => behind(all[i], base[i], coat[i]),
+            _ if is_black(&base[i]) => base[i],
+            _ => std::array::from_fn(|c| (all[i][c].min(1.0) - coat[i][c]).max(base[i][c])),
+        };
+        Some((0..all.len()).map(of_pixel).collect())
     }
 
     /// The previous frame's samples in the scene of this frame; absent in the first frame.

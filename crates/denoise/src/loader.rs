@@ -4,9 +4,11 @@ use crate::error::Result;
 use crate::frame::{self, FrameInputs};
 use crate::frame_files::FrameFiles;
 use crate::motion::{self, SurfaceMotion};
-use crate::outlines::Outlines;
 use crate::raster::Raster;
+use crate::roles::Role;
 use crate::setup::Setup;
+use crate::transmission::Transmission;
+use crate::unfiltered::{self, Averages, ALBEDO};
 use atrous::config::{Conventions, MotionDepth};
 use atrous::FrameParams;
 
@@ -20,13 +22,13 @@ const SAME: f32 = 0.1;
 pub struct Loader<'a> {
     setup: &'a Setup,
     previous: Option<(u64, FrameParams, SurfaceMotion)>,
-    outlines: Outlines,
+    averages: Averages,
 }
 
 impl<'a> Loader<'a> {
     /// A loader that has read nothing.
     pub fn new(setup: &'a Setup) -> Self {
-        Self { setup, previous: None, outlines: Outlines::default() }
+        Self { setup, previous: None, averages: Averages::default() }
     }
 
     /// Reads the next frame.
@@ -35,30 +37,45 @@ impl<'a> Loader<'a> {
     /// Errors of [`frame::load`].
     pub fn load(&mut self, files: &FrameFiles) -> Result<FrameInputs> {
         let mut inputs = frame::load(files, self.setup)?;
-        let is_jittered = inputs.params.jitter != [0.0; 2];
-        let averages = self.setup.averages_outlines() && inputs.images.contains_key("motion") && !is_jittered;
-        if !averages && !self.setup.carries_depth {
-            return Ok(inputs);
+        let averages = unfiltered::is_averaged(&inputs, self.setup);
+        if averages || self.setup.carries_depth {
+            self.carry(&mut inputs, averages);
         }
+        blacken_rims(&mut inputs, self.setup);
+        Ok(inputs)
+    }
+
+    /// Brings the frame before into this one: averages what no filter smooths where `averages`, and gives motion its depth where it needs one.
+    fn carry(&mut self, inputs: &mut FrameInputs, averages: bool) {
         let previous = self.previous.take().filter(|(number, ..)| number + self.setup.step == inputs.number);
         let before = previous.as_ref().map_or(inputs.params, |(_, params, _)| *params);
-        let surface = motion::of_frame(&inputs, &before, &without_depth(self.setup));
+        let surface = motion::of_frame(inputs, &before, &without_depth(self.setup));
         if previous.is_none() || inputs.params.reset.is_some() || inputs.params.exposure_ratio != 1.0 {
-            self.outlines.reset();
+            self.averages.reset();
         }
         if averages {
-            self.outlines.average(&mut inputs.images, &surface, inputs.params.render_extent);
+            self.averages.take(&mut inputs.images, &surface, inputs.params.render_extent);
         }
         if self.setup.carries_depth {
-            let still = StillWorld::of(&inputs, &before, self.setup);
+            let still = StillWorld::of(inputs, &before, self.setup);
             let depths = previous_depths(&surface, &still, previous.as_ref().map(|p| &p.2), inputs.params.render_extent);
             for (texel, z) in inputs.images.get_mut("motion").into_iter().flatten().zip(depths) {
                 texel[2] = z;
             }
         }
         self.previous = Some((inputs.number, inputs.params, surface));
-        Ok(inputs)
     }
+}
+
+/// Makes the albedo of what light passes through as black at its rim as it is inside. That for denoisers is not black there.
+fn blacken_rims(inputs: &mut FrameInputs, setup: &Setup) {
+    let (Some(ids), Some(base)) = (&inputs.surface_id, inputs.images.get(ALBEDO)) else { return };
+    if setup.mapping.is_for_denoisers(Role::Albedo) {
+        return;
+    }
+    let rim = Transmission::new(setup, ids, base, &inputs.images).map_or_else(Vec::new, |transmission| transmission.rim());
+    let Some(albedo) = inputs.images.get_mut(ALBEDO) else { return };
+    rim.into_iter().for_each(|i| albedo[i] = [0.0; 4]);
 }
 
 /// The conventions of the files: their motion has no depth.

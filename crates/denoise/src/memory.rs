@@ -16,8 +16,8 @@ pub const QUEUE: usize = 2;
 const AT_WORK: u64 = 3;
 /// Bytes of a texel as the tool has it: four floats.
 const TEXEL: u64 = 16;
-/// Bytes of a pixel that outlines and the motion of surfaces take, of a frame and of the one before: in three images at most.
-const OUTLINES: u64 = 2 * (3 * 24 + 21);
+/// Bytes of a pixel that averages and the motion of surfaces take, of a frame and of the one before: in four images at most, and the edges of one.
+const AVERAGES: u64 = 2 * (4 * 24 + 21) + 57;
 /// Bytes of a colour.
 const COLOUR: u64 = 12;
 /// Taken by the program itself, by the driver, by threads, which reserve more than they use, and by [`READING_SLACK`].
@@ -74,13 +74,13 @@ impl Need {
         let planes = 4 * setup.mapping.roles.values().map(|names| names.len() as u64).sum::<u64>();
         // What roles are made of, one after the other.
         let pieces = 7 * (TEXEL + 1);
-        let outlines = if setup.averages_outlines() && setup.mapping.has(Role::Motion) { OUTLINES } else { 0 };
+        let averages = if setup.averages() && setup.mapping.has(Role::Motion) { AVERAGES } else { 0 };
         let outputs = if demands.filtered { COLOUR } else { 0 };
         let at_once = (AT_WORK + 2 * queue as u64).min(demands.frames as u64);
         let of_result = setup.result_pixels() as u64;
         Ok(Self {
             frames: (frame * pixels + outputs * of_result) * at_once,
-            reading: (planes + pieces + outlines) * pixels + 2 * setup.reading,
+            reading: (planes + pieces + averages) * pixels + 2 * setup.reading,
             filter: if demands.filtered { filter(setup, demands)? } else { 0 },
             writing: if demands.filtered { writing(demands) * of_result } else { 0 },
         })

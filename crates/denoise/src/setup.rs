@@ -268,8 +268,8 @@ impl Setup {
         self.sequence.as_ref().is_some_and(|s| s.verbatim)
     }
 
-    /// Whether outlines of lamps and of the sky may be averaged over frames: where the result is of that size, and nobody else does it.
-    pub fn averages_outlines(&self) -> bool {
+    /// Whether images that no filter smooths may be averaged over frames: where the result is of that size, and nobody else does it.
+    pub fn averages(&self) -> bool {
         let of_frames = self.config.light_extent.is_none() && self.config.output_extent.is_none();
         of_frames && !self.stills && !self.is_verbatim()
     }

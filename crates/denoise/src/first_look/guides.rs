@@ -7,6 +7,7 @@ use crate::frame::FrameInputs;
 use crate::motion;
 use crate::roles::Role;
 use crate::setup::Setup;
+use crate::unfiltered::{self, ALBEDO, EMISSION};
 
 /// The share of the tiles from which on a guide is left out.
 const NOISY: f32 = 0.35;
@@ -28,9 +29,9 @@ enum Remedy {
 type Guide = (&'static str, &'static [Role], fn([f32; 4]) -> f32, Remedy);
 
 const GUIDES: &[Guide] = &[
-    ("albedo", &[Role::Albedo, Role::DiffuseColour], mean, Remedy::LeaveOut),
+    (ALBEDO, &[Role::Albedo, Role::DiffuseColour], mean, Remedy::LeaveOut),
     ("specular_albedo", &[Role::SpecularAlbedo], mean, Remedy::Smooth),
-    ("emission", &[Role::Emission, Role::Environment], compressed, Remedy::LeaveOut),
+    (EMISSION, &[Role::Emission, Role::Environment], compressed, Remedy::LeaveOut),
     ("normal", &[Role::Normal], slanted, Remedy::Smooth),
 ];
 /// Averages of depths are of no surface.
@@ -65,20 +66,25 @@ pub fn check(pair: &[FrameInputs; 2], setup: &mut Setup) -> Result<()> {
     let is_known = setup.mapping.has(Role::Motion) || (setup.sequence.is_some() && has_depth);
     let is_jittered = pair.iter().any(|frame| frame.params.jitter != [0.0; 2]);
     let limit = if is_known && !is_jittered { NOISY } else { NOISY_UNKNOWN };
-    let share = |values: [Vec<f32>; 2]| {
+    let share = |values: [Vec<f32>; 2], skipped: Option<&[bool]>| {
         let values = values.each_ref().map(Vec::as_slice);
-        Pair { extent: now.params.render_extent, values, motion_px: &surface.motion_px }.noisy_share()
+        Pair { extent: now.params.render_extent, values, motion_px: &surface.motion_px, skipped }.noisy_share()
     };
     let images = |name: &str, of: fn([f32; 4]) -> f32| {
         let [a, b] = [before, now].map(|frame| frame.images.get(name));
         a.zip(b).map(|(a, b)| [a, b].map(|texels| texels.iter().map(|t| of(*t)).collect()))
     };
     let is_open = |role: &Role| setup.mapping.has(*role) && !setup.is_named(*role);
+    let depth = if DEPTH.iter().any(is_open) { share([before, now].map(|frame| nearness(frame, setup)), None) } else { 0.0 };
+    // What is averaged over frames may be noisy: outlines, and an albedo as far as depths say whose it is.
+    let averages = unfiltered::is_averaged(now, setup);
+    let outlines = averages.then(|| unfiltered::are_borders(&surface, now.params.render_extent));
+    let is_averaged = |name: &str| name == ALBEDO && averages && depth <= limit;
     let mut found = Vec::new();
-    for (name, roles, of, remedy) in GUIDES.iter().filter(|(_, roles, ..)| roles.iter().any(is_open)) {
-        found.push((*name, *roles, images(name, *of).map_or(0.0, share), *remedy));
+    for (name, roles, of, remedy) in GUIDES.iter().filter(|(name, roles, ..)| roles.iter().any(is_open) && !is_averaged(name)) {
+        let skipped = outlines.as_deref().filter(|_| *name == EMISSION);
+        found.push((*name, *roles, images(name, *of).map_or(0.0, |values| share(values, skipped)), *remedy));
     }
-    let depth = if DEPTH.iter().any(is_open) { share([before, now].map(|frame| nearness(frame, setup))) } else { 0.0 };
     found.push(("depth", &DEPTH, depth, Remedy::LeaveOut));
     for (name, roles, noisy, remedy) in found.into_iter().filter(|(_, _, noisy, _)| *noisy > limit) {
         let done = match remedy {

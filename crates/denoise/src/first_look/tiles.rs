@@ -13,6 +13,8 @@ const LEAST_MEAN: f32 = 0.01;
 const ROUGH: f32 = 0.5;
 /// The least ratio of the change between frames to that between neighbours in a noisy tile.
 const UNSTEADY: f32 = 0.7;
+/// Pixels to each side where a tile may be found in the frame before.
+const SHIFT: i32 = 1;
 /// The share of pixels with a value in a tile that counts.
 const LEAST_VALUED: f32 = 0.15;
 /// The share of noisy tiles from which on those without a value are not counted: below, it may be a
@@ -33,6 +35,8 @@ pub struct Pair<'a> {
     pub extent: [u32; 2],
     pub values: [&'a [f32]; 2],
     pub motion_px: &'a [[f32; 2]],
+    /// Pixels that do not count.
+    pub skipped: Option<&'a [bool]>,
 }
 
 impl Pair<'_> {
@@ -58,23 +62,24 @@ impl Pair<'_> {
         }
     }
 
-    /// What a tile is; none where too little of it was there in the frame before.
+    /// What a tile is; none where too little of it counts or was there in the frame before.
     fn tile(&self, left: usize, top: usize) -> Option<Tile> {
-        let (mut seen, mut valued, mut rough, mut between_frames, mut beside) = (0usize, 0usize, 0usize, 0.0, 0.0);
+        let (mut seen, mut valued, mut rough, mut beside) = (0usize, 0usize, Vec::new(), 0.0);
         for y in top..top + TILE {
             for x in left..left + TILE {
-                let Some(change) = self.change(x, y) else { continue };
+                if !self.counts(x, y) || self.change(x, y, [0; 2]).is_none() {
+                    continue;
+                }
                 seen += 1;
                 let (mean, deviation) = self.around(x, y);
                 valued += usize::from(mean != 0.0 || deviation > 0.0);
                 if deviation > DIFFERS * mean.abs().max(LEAST_MEAN) {
-                    rough += 1;
-                    between_frames += change;
+                    rough.push([x, y]);
                     beside += deviation;
                 }
             }
         }
-        let is_noise = rough as f32 > ROUGH * valued as f32 && between_frames > UNSTEADY * beside;
+        let is_noise = rough.len() as f32 > ROUGH * valued as f32 && self.least_change(&rough) > UNSTEADY * beside;
         let tile = match (valued as f32) < LEAST_VALUED * seen as f32 {
             true => Tile::Empty,
             false if is_noise => Tile::Noise,
@@ -83,12 +88,24 @@ impl Pair<'_> {
         (2 * seen >= TILE * TILE).then_some(tile)
     }
 
-    /// The difference of a pixel from its place in the frame before.
-    fn change(&self, x: usize, y: usize) -> Option<f32> {
+    fn counts(&self, x: usize, y: usize) -> bool {
+        self.skipped.is_none_or(|skipped| !skipped[y * self.extent[0] as usize + x])
+    }
+
+    /// The sum of differences of pixels from the frame before, for the shift that makes it least: a picture that moves in another way than its
+    /// surface, or by parts of a pixel, is found again. Noise is not.
+    fn least_change(&self, pixels: &[[usize; 2]]) -> f32 {
+        let shifts = (-SHIFT..=SHIFT).flat_map(|y| (-SHIFT..=SHIFT).map(move |x| [x, y]));
+        let changed = |shift| pixels.iter().map(|[x, y]| self.change(*x, *y, shift).unwrap_or(1.0)).sum::<f32>();
+        shifts.map(changed).fold(f32::INFINITY, f32::min)
+    }
+
+    /// The difference of a pixel from its place in the frame before, or one beside that.
+    fn change(&self, x: usize, y: usize, shift: [i32; 2]) -> Option<f32> {
         let [width, height] = self.extent.map(|side| side as usize);
         let i = y * width + x;
         let [mx, my] = self.motion_px.get(i).copied().unwrap_or_default();
-        let (px, py) = ((x as f32 + mx).round(), (y as f32 + my).round());
+        let (px, py) = ((x as f32 + mx).round() + shift[0] as f32, (y as f32 + my).round() + shift[1] as f32);
         let is_inside = px >= 0.0 && py >= 0.0 && px < width as f32 && py < height as f32;
         is_inside.then(|| (self.values[1][i] - self.values[0][py as usize * width + px as usize]).abs())
     }
@@ -102,5 +119,44 @@ impl Pair<'_> {
         }
         let mean: f32 = sum / count;
         (mean, (squares / count - mean * mean).max(0.0).sqrt())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SIDE: usize = 3 * TILE;
+
+    fn random(x: usize, y: usize, seed: u32) -> f32 {
+        let mut v = (y * 4096 + x) as u32 ^ seed.wrapping_mul(0x9e37_79b9);
+        v = (v ^ (v >> 16)).wrapping_mul(0x7feb_352d);
+        v = (v ^ (v >> 15)).wrapping_mul(0x846c_a68b);
+        ((v ^ (v >> 16)) >> 8) as f32 / (1 << 24) as f32
+    }
+
+    fn noisy_share(frames: [&dyn Fn(usize, usize) -> f32; 2], skipped: Option<&[bool]>) -> f32 {
+        let values = frames.map(|value| (0..SIDE * SIDE).map(|i| value(i % SIDE, i / SIDE)).collect::<Vec<_>>());
+        let motion_px = vec![[0.0; 2]; SIDE * SIDE];
+        let [before, now] = values.each_ref().map(Vec::as_slice);
+        Pair { extent: [SIDE as u32; 2], values: [before, now], motion_px: &motion_px, skipped }.noisy_share()
+    }
+
+    #[test]
+    fn a_print_that_moved_by_a_pixel_is_no_noise() {
+        let noise = |seed| move |x, y| random(x, y, seed);
+        assert_eq!(noisy_share([&noise(1), &noise(2)], None), 1.0);
+        assert_eq!(noisy_share([&noise(1), &|x, y| random(x + 1, y + 1, 1)], None), 0.0);
+        assert_eq!(noisy_share([&noise(1), &|x, y| random(x + 3, y, 1)], None), 1.0, "three pixels are too far");
+    }
+
+    #[test]
+    fn pixels_that_are_skipped_do_not_count() {
+        let is_striped = |x: usize| x % 8 < 3;
+        let striped = |seed| move |x, y| if is_striped(x) { random(x, y, seed) } else { 0.5 };
+        let skipped: Vec<bool> =
+            (0..SIDE * SIDE).map(|i| is_striped((i + 1) % SIDE) || is_striped(i % SIDE) || is_striped((i + 7) % 8)).collect();
+        assert_eq!(noisy_share([&striped(1), &striped(2)], None), 1.0);
+        assert_eq!(noisy_share([&striped(1), &striped(2)], Some(&skipped)), 0.0);
     }
 }

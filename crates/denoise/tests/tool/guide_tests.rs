@@ -50,6 +50,27 @@ fn guides_that_are_noise_are_not_trusted() {
     assert!(named.mapping.has(Role::Albedo));
 }
 
+/// Where depths say whose an albedo is, its noise is averaged over frames instead.
+#[test]
+fn noise_of_an_albedo_is_averaged() {
+    let albedo = |number: u32, i: usize| 0.2 + 0.6 * samples::noise(i as i32, 3, 50 + number);
+    let input = folder();
+    for number in 0..6 {
+        let mut pixels = Scene::default().frame(number).pixels.to_vec();
+        pixels.iter_mut().enumerate().for_each(|(i, seen)| seen.albedo = [albedo(number, i); 3]);
+        Frame { pixels: std::rc::Rc::new(pixels) }.plain().write(&frame_path(input.path(), number));
+    }
+    let (setup, _) = looked_at(input.path());
+    assert!(setup.mapping.has(Role::Albedo), "{:?}", setup.report);
+    let frames = frame_files::find(&[input.path().to_owned()]).expect("frames");
+    let mut loader = atrous_denoise::loader::Loader::new(&setup);
+    let loaded: Vec<_> = frames.iter().map(|files| loader.load(files).expect("a frame")).collect();
+    let pixels = SIZE[0] * SIZE[1];
+    let squares = |of: &dyn Fn(usize) -> f32| (0..pixels).map(|i| (of(i) - 0.5).powi(2)).sum::<f32>() / pixels as f32;
+    let (given, averaged) = (squares(&|i| albedo(5, i)), squares(&|i| loaded[5].images["albedo"][i][0]));
+    assert!(averaged < 0.5 * given, "{averaged} of {given}");
+}
+
 /// The sky is a small part of the picture: it is noise all the same where fog is before it.
 #[test]
 fn parts_of_the_light_behind_fog_are_not_trusted() {
@@ -88,7 +109,7 @@ fn a_texture_that_moves_is_no_noise() {
     assert!(looked_at(input.path()).0.mapping.has(Role::Albedo));
 }
 
-/// Jitter meets a print that is finer than pixels elsewhere in every frame.
+/// Jitter meets a print that is finer than pixels elsewhere in every frame. Without motion nothing is averaged.
 #[test]
 fn a_fine_print_of_jittered_frames_is_no_noise() {
     let is_taken = |jitter: &str, tiles: usize| {
@@ -100,7 +121,10 @@ fn a_fine_print_of_jittered_frames_is_no_noise() {
                     seen.albedo = [0.2 + 0.6 * samples::noise(x as i32, y as i32, 90 + number); 3];
                 }
             }
-            Frame { pixels: std::rc::Rc::new(pixels) }.plain()
+            let frame = Frame { pixels: std::rc::Rc::new(pixels) };
+            let sample = frame.add(Frame::sample(), "", "RGB", |s| s.noisy);
+            let sample = frame.add(sample, "albedo", "RGB", |s| s.albedo);
+            frame.add(sample, "depth", "Z", |s| [s.depth])
         });
         let path = input.path().join("sequence.json");
         let cameras = std::fs::read_to_string(&path).expect("cameras");
@@ -110,6 +134,23 @@ fn a_fine_print_of_jittered_frames_is_no_noise() {
     assert!(is_taken("[0.25, -0.25]", 3), "half of the picture is printed");
     assert!(!is_taken("[0.0, 0.0]", 3), "the same pixels of a surface cannot differ");
     assert!(!is_taken("[0.25, -0.25]", 6), "noise in all of the picture is no print");
+}
+
+/// Leaves before the sky: each of their pixels is at an outline, and shows more or less of it from frame to frame.
+#[test]
+fn noise_of_outlines_leaves_no_emission_out() {
+    let is_taken = |has_outlines: bool| {
+        let input = written(Scene::default(), 2, move |number, frame| {
+            let sky = move |x: i32, y: i32| samples::noise(x, y, 110 + number);
+            let id = move |x: i32, _: i32| if has_outlines { (x / 2 % 2) as f32 } else { 1.0 };
+            let sample = frame.add(Frame::sample(), "ViewLayer.Combined", "RGB", |_| [2.0; 3]);
+            let sample = frame.add(sample, "ViewLayer.Depth", "Z", |_| [3.0]);
+            let sample = frame.add(sample, "ViewLayer.Vector", "XY", |_| [0.0; 2]).channel("ViewLayer.IndexOB.X", Type::Float, id);
+            ["R", "G", "B"].iter().fold(sample, |sample, c| sample.channel(&format!("ViewLayer.Env.{c}"), Type::Half, sky))
+        });
+        looked_at(input.path()).0.mapping.has(Role::Environment)
+    };
+    assert!(is_taken(true) && !is_taken(false));
 }
 
 /// Rough metal of Mitsuba: its lobe by the angle to the eye.

@@ -168,6 +168,39 @@ fn blender_with_lamps_in_its_albedo() {
     assert_eq!(inputs.images["albedo"][1][..3], [0.5; 3]);
 }
 
+/// Columns 0 to 2 are glass, 3 is glass and wall, 4 to 7 are wall. `albedo`: as for denoisers, where it is written.
+fn glass_before_a_wall(albedo: Option<f32>) -> Vec<f32> {
+    let half = Type::Half;
+    let by_column = |sample: Sample, names: &str, columns: [f32; 8]| {
+        let channels = ["R", "G", "B"].map(|c| format!("ViewLayer.{names}.{c}"));
+        channels.iter().fold(sample, |sample, name| sample.channel(name, half, move |x, _| columns[x as usize]))
+    };
+    let sample = Sample::new(8, 6)
+        .flat("ViewLayer.Combined.R ViewLayer.Combined.G ViewLayer.Combined.B", half, 1.0)
+        .flat("ViewLayer.Depth.Z", Type::Float, 3.0)
+        .flat("ViewLayer.GlossDir.R ViewLayer.GlossDir.G ViewLayer.GlossDir.B", half, 0.5)
+        .flat("ViewLayer.GlossInd.R ViewLayer.GlossInd.G ViewLayer.GlossInd.B", half, 0.0)
+        .channel("ViewLayer.IndexOB.X", Type::Float, |x, _| if x < 4 { 1.0 } else { 2.0 });
+    let sample = by_column(sample, "GlossCol", [0.5, 0.5, 0.5, 0.25, 0.0, 0.0, 0.0, 0.0]);
+    let sample = by_column(sample, "DiffCol", [0.0, 0.0, 0.0, 0.25, 0.5, 0.5, 0.5, 0.5]);
+    let written = match albedo {
+        Some(a) => by_column(sample, "Denoising Albedo", [a, a, a, a, 0.5, 0.5, 0.5, 0.5]),
+        None => sample,
+    };
+    let (folder, setup, _) = good(&written);
+    let files = frame_files::find(&[folder.path().to_owned()]).expect("files");
+    let frame = atrous_denoise::loader::Loader::new(&setup).load(&files[0]).expect("a frame");
+    frame.images["albedo"][..8].iter().map(|texel| texel[0]).collect()
+}
+
+/// What glass passes on has no part in its diffuse colour, of which its rim has a share.
+#[test]
+fn glass_is_divided_by_what_is_behind_it_or_by_nothing() {
+    assert_eq!(glass_before_a_wall(None), [0.0, 0.0, 0.0, 0.0, 0.5, 0.5, 0.5, 0.5]);
+    // Half of the glass reflects. At its rim 0.25 is of the wall, and ¾ of the other 0.125 behind it.
+    assert_eq!(glass_before_a_wall(Some(0.375)), [0.1875, 0.1875, 0.1875, 0.34375, 0.5, 0.5, 0.5, 0.5]);
+}
+
 /// A pixel beside a lamp, which it covers more or less from frame to frame. `last`: more of the camera of the last frame.
 fn beside_a_lamp(options: &Options, last: &str) -> Vec<f32> {
     let folder = tempfile::tempdir().expect("a temporary folder");

@@ -1,19 +1,22 @@
-//! Outlines of what passes the filter, averaged over frames: those of lamps, and of things before the sky.
+//! What passes the filter with its noise, averaged over frames: outlines of lamps, outlines of things before the sky, and albedos.
 //!
-//! Nothing filters what is emitted, and the background. But a renderer that spreads a few samples over each pixel does not know how much of the
-//! pixel a lamp covers, and its outline is noise. Here the outline of the frame before is carried along, and is worth as many frames as the noise is
-//! larger than the blur of carrying it. Both are measured over all outlines of a frame: of what is converged nothing is averaged, and nothing where
-//! all samples lie in the middle of their pixels, so that the lamp covers all of a pixel or nothing. docs/lab/denoise.md has the figures.
+//! Nothing filters what is emitted, the background, and the albedo that light is multiplied by. But a renderer that spreads a few samples over each
+//! pixel does not know how much of the pixel a thing or a part of a texture covers. Here the image of the frame before is carried along, and is worth
+//! as many frames as the noise is larger than the blur of carrying it. Both are measured over all edges of an image: of what is converged nothing is
+//! averaged, and nothing where all samples lie in the middle of their pixels, so that a thing covers all of a pixel or nothing. docs/lab/denoise.md
+//! has the figures.
 
-use crate::frame::NOISY;
+use crate::frame::{FrameInputs, NOISY};
 use crate::frame_images::Texels;
 use crate::motion::SurfaceMotion;
 use crate::raster::Raster;
+use crate::setup::Setup;
 use std::collections::BTreeMap;
 
-const EMISSION: &str = "emission";
+pub const EMISSION: &str = "emission";
+pub const ALBEDO: &str = "albedo";
 
-/// Contrast of an outline: the range of 3×3 pixels over the brightest of them.
+/// Contrast of an edge: the range of 3×3 pixels over the brightest of them.
 const CONTRAST: f32 = 0.3;
 /// Shares of that range between which a pixel is covered in part.
 const PART: std::ops::Range<f32> = 0.08..0.92;
@@ -26,20 +29,25 @@ const TRIED_OFF: f32 = 2.0;
 /// What carrying adds to the variance of a mean, over that by which the frame before is off: a mean is smoother.
 const OF_MEAN: f32 = 0.6;
 const MOST_FRAMES: f32 = 16.0;
-/// An outline that was carried by less stands still.
+/// An edge that was carried by less stands still.
 const STILL: f32 = 0.01;
 
-/// Outlines up to a frame.
+/// Whether there are averages of a frame: they follow its motion.
+pub fn is_averaged(frame: &FrameInputs, setup: &Setup) -> bool {
+    setup.averages() && frame.images.contains_key("motion") && frame.params.jitter == [0.0; 2]
+}
+
+/// Averages up to a frame.
 #[derive(Default)]
-pub struct Outlines {
+pub struct Averages {
     /// By the names of images.
     before: BTreeMap<&'static str, Past>,
 }
 
-/// A pixel beside one that shows something else.
-struct Border {
+/// A pixel with its past.
+struct Place {
     pixel: usize,
-    /// A pixel around it of a background without anything before it.
+    /// Where something else is beside it: a pixel around it of a background without anything before it.
     open: Option<usize>,
     /// Where it was, in pixels.
     before: [f32; 2],
@@ -47,7 +55,7 @@ struct Border {
     carried: f32,
 }
 
-/// A border in an image.
+/// A place where an image has contrast.
 struct Edge {
     pixel: usize,
     carried: f32,
@@ -83,28 +91,36 @@ struct Carried {
     frames: f32,
 }
 
-/// Of the outlines of a frame, in squared ranges.
+/// Of the edges of an image, in squared ranges.
 struct Noise {
     variance: f32,
-    /// By which an outline is off that was carried half a pixel along both axes.
+    /// By which an edge is off that was carried half a pixel along both axes.
     off: f32,
 }
 
-impl Outlines {
+impl Averages {
     /// Forgets the frames so far.
     pub fn reset(&mut self) {
         self.before.clear();
     }
 
-    /// Takes the next frame, and puts means into its outlines: into its emission, and into its light where no surface is.
-    pub fn average(&mut self, images: &mut BTreeMap<&'static str, Texels>, surface: &SurfaceMotion, extent: [u32; 2]) {
+    /// Takes the next frame, and puts means into its images: into the albedo, into the outlines of its emission, and into those of its light where no
+    /// surface is.
+    pub fn take(&mut self, images: &mut BTreeMap<&'static str, Texels>, surface: &SurfaceMotion, extent: [u32; 2]) {
         let raster = Raster::new(extent);
-        let borders = borders(surface, raster);
-        for (name, texels) in images.iter_mut().filter(|(name, _)| **name == EMISSION || NOISY.contains(name)) {
-            let is_emission = *name == EMISSION;
-            let passes = borders.iter().filter(|border| is_emission || !surface.is_surface[border.pixel]);
+        let is_border = are_borders(surface, extent);
+        for (name, texels) in images.iter_mut() {
+            let is_filtered = NOISY.contains(name);
+            if !is_filtered && ![ALBEDO, EMISSION].contains(name) {
+                continue;
+            }
+            let passes = |pixel: &usize| match is_filtered {
+                true => is_border[*pixel] && !surface.is_surface[*pixel],
+                false => is_border[*pixel] || *name == ALBEDO,
+            };
             let before = self.before.get(name);
-            let edges: Vec<_> = passes.filter_map(|border| Edge::of(border, texels, before, raster, is_emission)).collect();
+            let places = (0..raster.pixels()).filter(passes).map(|pixel| Place::of(pixel, is_border[pixel], surface, raster));
+            let edges: Vec<_> = places.filter_map(|place| Edge::of(&place, texels, before, raster, is_filtered)).collect();
             let next = Past::next(before, texels, edges, raster);
             for (texel, [r, g, b]) in texels.iter_mut().zip(&next.mean) {
                 *texel = [*r, *g, *b, texel[3]];
@@ -194,45 +210,52 @@ impl Past {
 
 impl Edge {
     /// `None` where there is no contrast, and where something is not finite.
-    fn of(border: &Border, image: &Texels, before: Option<&Past>, raster: Raster, is_emission: bool) -> Option<Self> {
-        let own = luminance(&image[border.pixel]);
+    fn of(place: &Place, image: &Texels, before: Option<&Past>, raster: Raster, is_filtered: bool) -> Option<Self> {
+        let own = luminance(&image[place.pixel]);
         let (mut least, mut most) = (own, own);
-        for l in raster.around(border.pixel, 1).map(|i| luminance(&image[i])) {
+        for l in raster.around(place.pixel, 1).map(|i| luminance(&image[i])) {
             if !l.is_finite() {
                 return None;
             }
             (least, most) = (least.min(l), most.max(l));
         }
-        let is_part = match border.open {
-            _ if is_emission => PART.contains(&((own - least) / (most - least))),
+        let is_part = match place.open {
+            _ if !is_filtered => PART.contains(&((own - least) / (most - least))),
             // The light of surfaces around has noise of its own.
             Some(open) => (own - luminance(&image[open])).abs() > PART.start * (most - least),
             None => false,
         };
-        let Border { pixel, carried, .. } = *border;
-        let past = || before.and_then(|before| before.carried(border.before, raster));
+        let Place { pixel, carried, .. } = *place;
+        let past = || before.and_then(|before| before.carried(place.before, raster));
         let edge = || Self { pixel, carried, past: past(), luminance: own, range: [least, most], is_part };
         (most - least > CONTRAST * most).then(edge)
     }
 }
 
-fn borders(surface: &SurfaceMotion, raster: Raster) -> Vec<Border> {
+/// Whether something else is beside each pixel.
+pub fn are_borders(surface: &SurfaceMotion, extent: [u32; 2]) -> Vec<bool> {
+    let raster = Raster::new(extent);
+    (0..raster.pixels()).map(|pixel| !is_inner(surface, raster, pixel)).collect()
+}
+
+/// Whether all pixels around one show the same.
+fn is_inner(surface: &SurfaceMotion, raster: Raster, pixel: usize) -> bool {
     let kind = |i: usize| (surface.id[i], surface.is_surface[i]);
-    let is_inner = |pixel: usize| raster.around(pixel, 1).all(|i| kind(i) == kind(pixel));
-    let border = |pixel: usize| {
-        if is_inner(pixel) {
-            return None;
-        }
+    raster.around(pixel, 1).all(|i| kind(i) == kind(pixel))
+}
+
+impl Place {
+    fn of(pixel: usize, is_border: bool, surface: &SurfaceMotion, raster: Raster) -> Self {
+        let around = || raster.around(pixel, 1).filter(|_| is_border);
         // An outline moves with what is in front.
         let distance = |i: usize| if surface.is_surface[i] { surface.depth[i] } else { f32::INFINITY };
-        let front = raster.around(pixel, 1).min_by(|a, b| distance(*a).total_cmp(&distance(*b))).unwrap_or(pixel);
+        let front = around().min_by(|a, b| distance(*a).total_cmp(&distance(*b))).unwrap_or(pixel);
         let ([x, y], motion) = (raster.place(pixel), surface.motion_px[front]);
         let before = [x as f32 + motion[0], y as f32 + motion[1]];
         let carried = before.iter().map(|at| 2.0 * (at - at.floor()) * (1.0 - at + at.floor())).sum();
-        let open = raster.around(pixel, 1).find(|i| !surface.is_surface[*i] && is_inner(*i));
-        Some(Border { pixel, open, before, carried })
-    };
-    (0..raster.pixels()).filter_map(border).collect()
+        let open = around().find(|i| !surface.is_surface[*i] && is_inner(surface, raster, *i));
+        Self { pixel, open, before, carried }
+    }
 }
 
 fn luminance([r, g, b, _]: &[f32; 4]) -> f32 {
@@ -253,6 +276,7 @@ mod tests {
     const EXTENT: [u32; 2] = [48, 32];
     const LAMP: f32 = 6.0;
     const SKY: f32 = 0.5;
+    const LIGHT: &str = "noisy_radiance";
 
     /// Places of samples in their pixels.
     #[derive(Clone, Copy)]
@@ -299,7 +323,7 @@ mod tests {
 
     /// RMSE over the outlines of the last of ten frames as given, and averaged.
     fn errors(motion: f32, samples: Samples, name: &'static str) -> [f32; 2] {
-        let mut outlines = Outlines::default();
+        let mut averages = Averages::default();
         let mut last = [0.0; 2];
         for frame in 0..10 {
             let x = 18.0 + motion * frame as f32;
@@ -309,11 +333,11 @@ mod tests {
             };
             let (given, surface) = (emission(x, samples, frame), surface(x, motion));
             let mut images = BTreeMap::from([(name, given.clone())]);
-            outlines.average(&mut images, &surface, EXTENT);
-            let borders = borders(&surface, Raster::new(EXTENT));
-            let passes: Vec<_> = borders.iter().filter(|b| name == EMISSION || !surface.is_surface[b.pixel]).collect();
+            averages.take(&mut images, &surface, EXTENT);
+            let is_border = are_borders(&surface, EXTENT);
+            let passes: Vec<_> = (0..truth.len()).filter(|i| is_border[*i] && (name != LIGHT || !surface.is_surface[*i])).collect();
             let rmse = |image: &Texels| {
-                let squares = passes.iter().map(|b| (image[b.pixel][0] - truth[b.pixel][0]).powi(2)).sum::<f32>();
+                let squares = passes.iter().map(|i| (image[*i][0] - truth[*i][0]).powi(2)).sum::<f32>();
                 (squares / passes.len() as f32).sqrt()
             };
             last = [rmse(&given), rmse(&images[name])];
@@ -323,7 +347,7 @@ mod tests {
 
     #[test]
     fn noise_of_an_outline_is_averaged() {
-        for (name, in_motion) in [(EMISSION, 0.55), ("noisy_radiance", 0.65)] {
+        for (name, in_motion) in [(EMISSION, 0.55), (LIGHT, 0.65), (ALBEDO, 0.55)] {
             let [given, averaged] = errors(0.0, Samples::Spread(4), name);
             assert!(averaged < 0.45 * given, "{name}, at rest: {averaged} of {given}");
             let [given, averaged] = errors(0.4, Samples::Spread(2), name);
@@ -333,42 +357,42 @@ mod tests {
 
     #[test]
     fn converged_outlines_stay() {
-        for motion in [0.0, 0.3, 0.5, 1.0] {
-            let [given, averaged] = errors(motion, Samples::Spread(400), EMISSION);
-            assert!(averaged < 1.15 * given + 0.01, "{motion}: {averaged} of {given}");
+        for (motion, name) in [0.0, 0.3, 0.5, 1.0].into_iter().flat_map(|motion| [(motion, EMISSION), (motion, ALBEDO)]) {
+            let [given, averaged] = errors(motion, Samples::Spread(400), name);
+            assert!(averaged < 1.15 * given + 0.01, "{name}, {motion}: {averaged} of {given}");
         }
     }
 
     #[test]
     fn outlines_of_samples_in_the_middle_of_pixels_stay() {
-        for motion in [0.0, 0.3, 1.0] {
-            assert_eq!(errors(motion, Samples::Middle, EMISSION), [0.0; 2], "{motion}");
+        for (motion, name) in [0.0, 0.3, 1.0].into_iter().flat_map(|motion| [(motion, EMISSION), (motion, ALBEDO)]) {
+            assert_eq!(errors(motion, Samples::Middle, name), [0.0; 2], "{name}, {motion}");
         }
     }
 
     #[test]
     fn a_lamp_that_is_dimmed_leaves_nothing_brighter() {
-        let mut outlines = Outlines::default();
+        let mut averages = Averages::default();
         for frame in 0..8 {
             let mut images = BTreeMap::from([(EMISSION, emission(18.0, Samples::Spread(4), frame))]);
-            outlines.average(&mut images, &surface(18.0, 0.0), EXTENT);
+            averages.take(&mut images, &surface(18.0, 0.0), EXTENT);
         }
         let dimmed =
             emission(18.0, Samples::Spread(4), 8).iter().map(|texel| texel.map(|v| SKY + 0.1 * (v - SKY).max(0.0))).collect();
         let mut images = BTreeMap::from([(EMISSION, dimmed)]);
-        outlines.average(&mut images, &surface(18.0, 0.0), EXTENT);
+        averages.take(&mut images, &surface(18.0, 0.0), EXTENT);
         let brightest = images[EMISSION].iter().map(|texel| texel[0]).fold(0.0, f32::max);
         assert!(brightest < SKY + 0.101 * (LAMP - SKY), "{brightest}");
     }
 
     #[test]
     fn light_that_changes_in_one_frame_is_no_noise() {
-        let mut outlines = Outlines::default();
+        let mut averages = Averages::default();
         let converged = emission(18.0, Samples::Spread(400), 0);
         let dimmed: Texels = converged.iter().map(|texel| texel.map(|v| SKY + 0.3 * (v - SKY).max(0.0))).collect();
         for given in std::iter::repeat_n(&converged, 6).chain([&dimmed]) {
             let mut images = BTreeMap::from([(EMISSION, given.clone())]);
-            outlines.average(&mut images, &surface(18.0, 0.0), EXTENT);
+            averages.take(&mut images, &surface(18.0, 0.0), EXTENT);
             let changed = images[EMISSION].iter().zip(given).filter(|(a, b)| a != b).count();
             assert_eq!(changed, 0);
         }
@@ -376,14 +400,14 @@ mod tests {
 
     #[test]
     fn values_that_are_not_finite_stay_where_they_are() {
-        let mut outlines = Outlines::default();
+        let mut averages = Averages::default();
         for frame in 0..6 {
             let mut given = emission(18.0, Samples::Spread(4), frame);
             if frame > 3 {
                 given[16 * EXTENT[0] as usize + 9] = [f32::NAN; 4];
             }
             let mut images = BTreeMap::from([(EMISSION, given.clone())]);
-            outlines.average(&mut images, &surface(18.0, 0.0), EXTENT);
+            averages.take(&mut images, &surface(18.0, 0.0), EXTENT);
             let bad = images[EMISSION].iter().filter(|texel| !texel[0].is_finite()).count();
             let averaged = images[EMISSION].iter().zip(&given).filter(|(a, b)| a[0].is_finite() && a != b).count();
             assert_eq!((bad, averaged > 0), (usize::from(frame > 3), frame > 1), "{frame}");
@@ -392,14 +416,14 @@ mod tests {
 
     #[test]
     fn after_a_reset_a_frame_is_as_it_came() {
-        let mut outlines = Outlines::default();
+        let mut averages = Averages::default();
         for frame in 0..6 {
             let given = emission(18.0, Samples::Spread(4), frame);
             let mut images = BTreeMap::from([(EMISSION, given.clone())]);
             if frame == 5 {
-                outlines.reset();
+                averages.reset();
             }
-            outlines.average(&mut images, &surface(18.0, 0.0), EXTENT);
+            averages.take(&mut images, &surface(18.0, 0.0), EXTENT);
             assert_eq!(images[EMISSION] == given, frame < 2 || frame == 5, "{frame}");
         }
     }
