@@ -54,7 +54,7 @@ impl<'a> Loader<'a> {
             self.averages.reset();
         }
         if averages {
-            self.averages.take(&mut inputs.images, &surface, inputs.params.render_extent);
+            self.averages.take(&mut inputs.images, &surface, inputs.params.render_extent, self.setup.has_means);
         }
         if self.setup.carries_depth {
             let still = StillWorld::of(inputs, &before, self.setup);

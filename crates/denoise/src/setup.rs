@@ -51,6 +51,8 @@ pub struct Setup {
     pub stills: bool,
     /// The depth in the previous frame, where motion leads, is looked up: the motion has none.
     pub carries_depth: bool,
+    /// Guides are means over samples that are spread over their pixels.
+    pub has_means: bool,
     /// Guides with noise in them, by the names of the library, which are smoothed.
     pub smoothed: BTreeSet<&'static str>,
     /// The step of the numbers of frames.
@@ -92,6 +94,7 @@ impl Setup {
             range: Range::default(),
             stills: false,
             carries_depth: false,
+            has_means: false,
             smoothed: BTreeSet::new(),
             step: options.step.unwrap_or(1),
             options: options.clone(),

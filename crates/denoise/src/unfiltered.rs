@@ -11,6 +11,7 @@ use crate::frame_images::Texels;
 use crate::motion::SurfaceMotion;
 use crate::raster::Raster;
 use crate::setup::Setup;
+use atrous::config::NormalEncoding;
 use std::collections::BTreeMap;
 
 pub const EMISSION: &str = "emission";
@@ -22,6 +23,8 @@ const CONTRAST: f32 = 0.3;
 const PART: std::ops::Range<f32> = 0.08..0.92;
 /// Share of such pixels among all, below which samples lie in the middle of their pixels.
 const LEAST_PARTS: f32 = 0.1;
+/// The length of a normal over the largest one in 3×3 pixels, below which it is a mean of several.
+const OF_ONE: f32 = 0.98;
 /// The weight of a frame in a mean that is tried: how well that tells the next frame, and the frame before does, says what is noise.
 const TRIED: f32 = 0.25;
 /// How much further off that mean is, in variance, where carrying alone makes a difference. Half of it after two frames.
@@ -35,6 +38,23 @@ const STILL: f32 = 0.01;
 /// Whether there are averages of a frame: they follow its motion.
 pub fn is_averaged(frame: &FrameInputs, setup: &Setup) -> bool {
     setup.averages() && frame.images.contains_key("motion") && frame.params.jitter == [0.0; 2]
+}
+
+/// Whether guides are means over samples that are spread over their pixels: at outlines, the mean of two normals is shorter than each.
+pub fn are_means(frame: &FrameInputs, surface: &SurfaceMotion, setup: &Setup) -> bool {
+    let scale: fn(f32) -> f32 = match setup.config.conventions.normal {
+        NormalEncoding::Xyz => |v| v,
+        NormalEncoding::XyzUnorm => |v| 2.0 * v - 1.0,
+        _ => return false,
+    };
+    let Some(normals) = frame.images.get("normal") else { return false };
+    let length = |i: usize| normals[i][..3].iter().map(|v| scale(*v).powi(2)).sum::<f32>().sqrt();
+    let raster = Raster::new(frame.params.render_extent);
+    let is_border = |i: &usize| surface.is_surface[*i] && !is_inner(surface, raster, *i);
+    let is_short = |i: usize| length(i) < OF_ONE * raster.around(i, 1).map(length).fold(0.0, f32::max);
+    let borders: Vec<bool> = (0..raster.pixels()).filter(is_border).map(is_short).collect();
+    let short = borders.iter().filter(|short| **short).count() as f32;
+    short > LEAST_PARTS * borders.len() as f32
 }
 
 /// Averages up to a frame.
@@ -104,14 +124,21 @@ impl Averages {
         self.before.clear();
     }
 
-    /// Takes the next frame, and puts means into its images: into the albedo, into the outlines of its emission, and into those of its light where no
+    /// Takes the next frame, and puts means into its images: into the albedo where `has_albedo`, into the outlines of its emission, and into those of its light where no
     /// surface is.
-    pub fn take(&mut self, images: &mut BTreeMap<&'static str, Texels>, surface: &SurfaceMotion, extent: [u32; 2]) {
+    pub fn take(
+        &mut self,
+        images: &mut BTreeMap<&'static str, Texels>,
+        surface: &SurfaceMotion,
+        extent: [u32; 2],
+        has_albedo: bool,
+    ) {
         let raster = Raster::new(extent);
         let is_border = are_borders(surface, extent);
         for (name, texels) in images.iter_mut() {
             let is_filtered = NOISY.contains(name);
-            if !is_filtered && ![ALBEDO, EMISSION].contains(name) {
+            let is_taken = is_filtered || *name == EMISSION || (has_albedo && *name == ALBEDO);
+            if !is_taken {
                 continue;
             }
             let passes = |pixel: &usize| match is_filtered {
@@ -333,7 +360,7 @@ mod tests {
             };
             let (given, surface) = (emission(x, samples, frame), surface(x, motion));
             let mut images = BTreeMap::from([(name, given.clone())]);
-            averages.take(&mut images, &surface, EXTENT);
+            averages.take(&mut images, &surface, EXTENT, true);
             let is_border = are_borders(&surface, EXTENT);
             let passes: Vec<_> = (0..truth.len()).filter(|i| is_border[*i] && (name != LIGHT || !surface.is_surface[*i])).collect();
             let rmse = |image: &Texels| {
@@ -375,12 +402,12 @@ mod tests {
         let mut averages = Averages::default();
         for frame in 0..8 {
             let mut images = BTreeMap::from([(EMISSION, emission(18.0, Samples::Spread(4), frame))]);
-            averages.take(&mut images, &surface(18.0, 0.0), EXTENT);
+            averages.take(&mut images, &surface(18.0, 0.0), EXTENT, true);
         }
         let dimmed =
             emission(18.0, Samples::Spread(4), 8).iter().map(|texel| texel.map(|v| SKY + 0.1 * (v - SKY).max(0.0))).collect();
         let mut images = BTreeMap::from([(EMISSION, dimmed)]);
-        averages.take(&mut images, &surface(18.0, 0.0), EXTENT);
+        averages.take(&mut images, &surface(18.0, 0.0), EXTENT, true);
         let brightest = images[EMISSION].iter().map(|texel| texel[0]).fold(0.0, f32::max);
         assert!(brightest < SKY + 0.101 * (LAMP - SKY), "{brightest}");
     }
@@ -392,7 +419,7 @@ mod tests {
         let dimmed: Texels = converged.iter().map(|texel| texel.map(|v| SKY + 0.3 * (v - SKY).max(0.0))).collect();
         for given in std::iter::repeat_n(&converged, 6).chain([&dimmed]) {
             let mut images = BTreeMap::from([(EMISSION, given.clone())]);
-            averages.take(&mut images, &surface(18.0, 0.0), EXTENT);
+            averages.take(&mut images, &surface(18.0, 0.0), EXTENT, true);
             let changed = images[EMISSION].iter().zip(given).filter(|(a, b)| a != b).count();
             assert_eq!(changed, 0);
         }
@@ -407,7 +434,7 @@ mod tests {
                 given[16 * EXTENT[0] as usize + 9] = [f32::NAN; 4];
             }
             let mut images = BTreeMap::from([(EMISSION, given.clone())]);
-            averages.take(&mut images, &surface(18.0, 0.0), EXTENT);
+            averages.take(&mut images, &surface(18.0, 0.0), EXTENT, true);
             let bad = images[EMISSION].iter().filter(|texel| !texel[0].is_finite()).count();
             let averaged = images[EMISSION].iter().zip(&given).filter(|(a, b)| a[0].is_finite() && a != b).count();
             assert_eq!((bad, averaged > 0), (usize::from(frame > 3), frame > 1), "{frame}");
@@ -423,7 +450,7 @@ mod tests {
             if frame == 5 {
                 averages.reset();
             }
-            averages.take(&mut images, &surface(18.0, 0.0), EXTENT);
+            averages.take(&mut images, &surface(18.0, 0.0), EXTENT, true);
             assert_eq!(images[EMISSION] == given, frame < 2 || frame == 5, "{frame}");
         }
     }

@@ -50,16 +50,33 @@ fn guides_that_are_noise_are_not_trusted() {
     assert!(named.mapping.has(Role::Albedo));
 }
 
-/// Where depths say whose an albedo is, its noise is averaged over frames instead.
-#[test]
-fn noise_of_an_albedo_is_averaged() {
-    let albedo = |number: u32, i: usize| 0.2 + 0.6 * samples::noise(i as i32, 3, 50 + number);
+/// Frames with an albedo that is noise. `are_means`: where two surfaces meet, normals are means of both. `fog`: depth is noise, too.
+fn noisy_albedos(are_means: bool, fog: bool) -> tempfile::TempDir {
     let input = folder();
     for number in 0..6 {
         let mut pixels = Scene::default().frame(number).pixels.to_vec();
-        pixels.iter_mut().enumerate().for_each(|(i, seen)| seen.albedo = [albedo(number, i); 3]);
+        let ids: Vec<u32> = pixels.iter().map(|seen| seen.id).collect();
+        for (i, seen) in pixels.iter_mut().enumerate() {
+            seen.albedo = [noisy_albedo(number, i); 3];
+            let is_outline = [1, SIZE[0]].iter().any(|step| ids.get(i + step).is_some_and(|id| *id != ids[i]));
+            seen.normal = seen.normal.map(|v| if are_means && is_outline { 0.7 * v } else { v });
+            if fog {
+                seen.depth = if samples::noise(i as i32, 4, 50 + number) < 0.5 { 0.3 } else { 40.0 };
+            }
+        }
         Frame { pixels: std::rc::Rc::new(pixels) }.plain().write(&frame_path(input.path(), number));
     }
+    input
+}
+
+fn noisy_albedo(number: u32, pixel: usize) -> f32 {
+    0.2 + 0.6 * samples::noise(pixel as i32, 3, 50 + number)
+}
+
+/// Where it is a mean over a pixel, and depths say whose it is, its noise is averaged over frames instead of being left out.
+#[test]
+fn noise_of_an_albedo_is_averaged() {
+    let input = noisy_albedos(true, false);
     let (setup, _) = looked_at(input.path());
     assert!(setup.mapping.has(Role::Albedo), "{:?}", setup.report);
     let frames = frame_files::find(&[input.path().to_owned()]).expect("frames");
@@ -67,8 +84,27 @@ fn noise_of_an_albedo_is_averaged() {
     let loaded: Vec<_> = frames.iter().map(|files| loader.load(files).expect("a frame")).collect();
     let pixels = SIZE[0] * SIZE[1];
     let squares = |of: &dyn Fn(usize) -> f32| (0..pixels).map(|i| (of(i) - 0.5).powi(2)).sum::<f32>() / pixels as f32;
-    let (given, averaged) = (squares(&|i| albedo(5, i)), squares(&|i| loaded[5].images["albedo"][i][0]));
+    let (given, averaged) = (squares(&|i| noisy_albedo(5, i)), squares(&|i| loaded[5].images["albedo"][i][0]));
     assert!(averaged < 0.5 * given, "{averaged} of {given}");
+    assert!(!looked_at(noisy_albedos(true, true).path()).0.mapping.has(Role::Albedo), "in fog nobody knows whose it is");
+}
+
+/// In the middle of pixels a print differs from frame to frame as noise does, but a mean would blur it.
+#[test]
+fn albedos_of_the_middle_of_pixels_are_not_averaged() {
+    let input = noisy_albedos(false, false);
+    let (setup, _) = looked_at(input.path());
+    assert!(!setup.has_means && !setup.mapping.has(Role::Albedo), "{:?}", setup.report);
+    let frames = frame_files::find(&[input.path().to_owned()]).expect("frames");
+    let options = Options { channels: vec![(Role::Albedo, "albedo".into())], ..Options::default() };
+    let mut named = Setup::new(&frames, &options).expect("a setup");
+    first_look::take(&frames, &mut named).expect("a look");
+    let mut loader = atrous_denoise::loader::Loader::new(&named);
+    for (number, files) in frames.iter().enumerate() {
+        let albedo = loader.load(files).expect("a frame").images["albedo"].clone();
+        let differs = |(i, texel): (usize, &[f32; 4])| (texel[0] - noisy_albedo(number as u32, i)).abs() > 1e-3;
+        assert!(!albedo.iter().enumerate().any(differs), "frame {number}");
+    }
 }
 
 /// The sky is a small part of the picture: it is noise all the same where fog is before it.
