@@ -67,10 +67,11 @@ impl<'a> Loader<'a> {
     }
 }
 
-/// Makes the albedo of what light passes through as black at its rim as it is inside. That for denoisers is not black there.
+/// Makes the albedo of what light passes through as black at its rim as it is inside. That for denoisers is not black there, and rims are as black
+/// already where guides are of the middle of pixels.
 fn blacken_rims(inputs: &mut FrameInputs, setup: &Setup) {
     let (Some(ids), Some(base)) = (&inputs.surface_id, inputs.images.get(ALBEDO)) else { return };
-    if setup.mapping.is_for_denoisers(Role::Albedo) {
+    if setup.mapping.is_for_denoisers(Role::Albedo) || !setup.has_means {
         return;
     }
     let rim = Transmission::new(setup, ids, base, &inputs.images).map_or_else(Vec::new, |transmission| transmission.rim());

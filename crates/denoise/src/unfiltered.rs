@@ -8,7 +8,7 @@
 
 use crate::frame::{FrameInputs, NOISY};
 use crate::frame_images::Texels;
-use crate::motion::SurfaceMotion;
+use crate::motion::{self, SurfaceMotion};
 use crate::raster::Raster;
 use crate::setup::Setup;
 use atrous::config::NormalEncoding;
@@ -41,7 +41,7 @@ pub fn is_averaged(frame: &FrameInputs, setup: &Setup) -> bool {
 }
 
 /// Whether guides are means over samples that are spread over their pixels: at outlines, the mean of two normals is shorter than each.
-pub fn are_means(frame: &FrameInputs, surface: &SurfaceMotion, setup: &Setup) -> bool {
+pub fn are_means(frame: &FrameInputs, setup: &Setup) -> bool {
     let scale: fn(f32) -> f32 = match setup.config.conventions.normal {
         NormalEncoding::Xyz => |v| v,
         NormalEncoding::XyzUnorm => |v| 2.0 * v - 1.0,
@@ -49,8 +49,9 @@ pub fn are_means(frame: &FrameInputs, surface: &SurfaceMotion, setup: &Setup) ->
     };
     let Some(normals) = frame.images.get("normal") else { return false };
     let length = |i: usize| normals[i][..3].iter().map(|v| scale(*v).powi(2)).sum::<f32>().sqrt();
+    let surface = motion::of_frame(frame, &frame.params, &setup.config.conventions);
     let raster = Raster::new(frame.params.render_extent);
-    let is_border = |i: &usize| surface.is_surface[*i] && !is_inner(surface, raster, *i);
+    let is_border = |i: &usize| surface.is_surface[*i] && !is_inner(&surface, raster, *i);
     let is_short = |i: usize| length(i) < OF_ONE * raster.around(i, 1).map(length).fold(0.0, f32::max);
     let borders: Vec<bool> = (0..raster.pixels()).filter(is_border).map(is_short).collect();
     let short = borders.iter().filter(|short| **short).count() as f32;
@@ -124,20 +125,20 @@ impl Averages {
         self.before.clear();
     }
 
-    /// Takes the next frame, and puts means into its images: into the albedo where `has_albedo`, into the outlines of its emission, and into those of its light where no
-    /// surface is.
+    /// Takes the next frame, and puts means into its images: into the outlines of its emission, into those of its light where no surface is, and
+    /// into the albedo where `has_means` of it.
     pub fn take(
         &mut self,
         images: &mut BTreeMap<&'static str, Texels>,
         surface: &SurfaceMotion,
         extent: [u32; 2],
-        has_albedo: bool,
+        has_means: bool,
     ) {
         let raster = Raster::new(extent);
         let is_border = are_borders(surface, extent);
         for (name, texels) in images.iter_mut() {
             let is_filtered = NOISY.contains(name);
-            let is_taken = is_filtered || *name == EMISSION || (has_albedo && *name == ALBEDO);
+            let is_taken = is_filtered || *name == EMISSION || (has_means && *name == ALBEDO);
             if !is_taken {
                 continue;
             }

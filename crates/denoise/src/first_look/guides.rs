@@ -67,8 +67,6 @@ pub fn check(pair: &[FrameInputs; 2], setup: &mut Setup) -> Result<()> {
     let is_jittered = pair.iter().any(|frame| frame.params.jitter != [0.0; 2]);
     let limit = if is_known && !is_jittered { NOISY } else { NOISY_UNKNOWN };
     let averages = unfiltered::is_averaged(now, setup);
-    let has_means = averages && unfiltered::are_means(now, &surface, setup);
-    setup.has_means = has_means;
     let share = |values: [Vec<f32>; 2], skipped: Option<&[bool]>| {
         let values = values.each_ref().map(Vec::as_slice);
         Pair { extent: now.params.render_extent, values, motion_px: &surface.motion_px, skipped }.noisy_share()
@@ -81,7 +79,7 @@ pub fn check(pair: &[FrameInputs; 2], setup: &mut Setup) -> Result<()> {
     let depth = if DEPTH.iter().any(is_open) { share([before, now].map(|frame| nearness(frame, setup)), None) } else { 0.0 };
     // What is averaged over frames may be noisy: outlines, and an albedo as far as depths say whose it is.
     let outlines = averages.then(|| unfiltered::are_borders(&surface, now.params.render_extent));
-    let is_averaged = |name: &str| name == ALBEDO && has_means && depth <= limit;
+    let is_averaged = |name: &str| name == ALBEDO && averages && setup.has_means && depth <= limit;
     let mut found = Vec::new();
     for (name, roles, of, remedy) in GUIDES.iter().filter(|(name, roles, ..)| roles.iter().any(is_open) && !is_averaged(name)) {
         let skipped = outlines.as_deref().filter(|_| *name == EMISSION);

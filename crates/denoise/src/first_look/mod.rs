@@ -16,6 +16,7 @@ use crate::frame_files::FrameFiles;
 use crate::range::{self, Range};
 use crate::roles::Role;
 use crate::setup::Setup;
+use crate::unfiltered;
 
 /// Alpha is called noisy where so many of its pixels are between 0 and 1, and differ from those beside.
 const NOISY_ALPHA: f32 = 0.05;
@@ -39,6 +40,7 @@ pub fn take(frames: &[FrameFiles], setup: &mut Setup) -> Result<Vec<String>> {
         setup.note(finding.note);
     }
     if let Some(first) = frames.first().and_then(|first| frame::load(first, setup).ok()) {
+        setup.has_means = unfiltered::are_means(&first, setup);
         reflectance::check(&first, setup)?;
     }
     if let Some(pair) = pair(frames, setup) {

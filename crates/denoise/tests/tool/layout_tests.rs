@@ -3,6 +3,7 @@
 use crate::samples::{self, Sample, Type};
 use atrous::config::{DepthEncoding, MotionDepth, RoughnessEncoding, Sampling, Signals};
 use atrous_denoise::error::ToolError;
+use atrous_denoise::first_look;
 use atrous_denoise::frame;
 use atrous_denoise::frame_files;
 use atrous_denoise::layouts::Layout;
@@ -168,8 +169,8 @@ fn blender_with_lamps_in_its_albedo() {
     assert_eq!(inputs.images["albedo"][1][..3], [0.5; 3]);
 }
 
-/// Columns 0 to 2 are glass, 3 is glass and wall, 4 to 7 are wall. `albedo`: as for denoisers, where it is written.
-fn glass_before_a_wall(albedo: Option<f32>) -> Vec<f32> {
+/// Columns 0 to 2 are glass, 3 is glass and wall, 4 to 7 are wall. `albedo`: as for denoisers, where it is written. `rim`: length of normals there.
+fn glass_before_a_wall(albedo: Option<f32>, rim: f32) -> Vec<f32> {
     let half = Type::Half;
     let by_column = |sample: Sample, names: &str, columns: [f32; 8]| {
         let channels = ["R", "G", "B"].map(|c| format!("ViewLayer.{names}.{c}"));
@@ -180,6 +181,8 @@ fn glass_before_a_wall(albedo: Option<f32>) -> Vec<f32> {
         .flat("ViewLayer.Depth.Z", Type::Float, 3.0)
         .flat("ViewLayer.GlossDir.R ViewLayer.GlossDir.G ViewLayer.GlossDir.B", half, 0.5)
         .flat("ViewLayer.GlossInd.R ViewLayer.GlossInd.G ViewLayer.GlossInd.B", half, 0.0)
+        .flat("ViewLayer.Normal.X ViewLayer.Normal.Y", half, 0.0)
+        .channel("ViewLayer.Normal.Z", half, move |x, _| if x == 3 { rim } else { 1.0 })
         .channel("ViewLayer.IndexOB.X", Type::Float, |x, _| if x < 4 { 1.0 } else { 2.0 });
     let sample = by_column(sample, "GlossCol", [0.5, 0.5, 0.5, 0.25, 0.0, 0.0, 0.0, 0.0]);
     let sample = by_column(sample, "DiffCol", [0.0, 0.0, 0.0, 0.25, 0.5, 0.5, 0.5, 0.5]);
@@ -187,8 +190,9 @@ fn glass_before_a_wall(albedo: Option<f32>) -> Vec<f32> {
         Some(a) => by_column(sample, "Denoising Albedo", [a, a, a, a, 0.5, 0.5, 0.5, 0.5]),
         None => sample,
     };
-    let (folder, setup, _) = good(&written);
+    let (folder, mut setup, _) = good(&written);
     let files = frame_files::find(&[folder.path().to_owned()]).expect("files");
+    first_look::take(&files, &mut setup).expect("a look");
     let frame = atrous_denoise::loader::Loader::new(&setup).load(&files[0]).expect("a frame");
     frame.images["albedo"][..8].iter().map(|texel| texel[0]).collect()
 }
@@ -196,9 +200,15 @@ fn glass_before_a_wall(albedo: Option<f32>) -> Vec<f32> {
 /// What glass passes on has no part in its diffuse colour, of which its rim has a share.
 #[test]
 fn glass_is_divided_by_what_is_behind_it_or_by_nothing() {
-    assert_eq!(glass_before_a_wall(None), [0.0, 0.0, 0.0, 0.0, 0.5, 0.5, 0.5, 0.5]);
+    assert_eq!(glass_before_a_wall(None, 0.75), [0.0, 0.0, 0.0, 0.0, 0.5, 0.5, 0.5, 0.5]);
     // Half of the glass reflects. At its rim 0.25 is of the wall, and ¾ of the other 0.125 behind it.
-    assert_eq!(glass_before_a_wall(Some(0.375)), [0.1875, 0.1875, 0.1875, 0.34375, 0.5, 0.5, 0.5, 0.5]);
+    assert_eq!(glass_before_a_wall(Some(0.375), 0.75), [0.1875, 0.1875, 0.1875, 0.34375, 0.5, 0.5, 0.5, 0.5]);
+}
+
+/// A surface of the middle of a pixel is one: a print that is black in part.
+#[test]
+fn a_print_has_no_rim() {
+    assert_eq!(glass_before_a_wall(None, 1.0), [0.0, 0.0, 0.0, 0.25, 0.5, 0.5, 0.5, 0.5]);
 }
 
 /// A pixel beside a lamp, which it covers more or less from frame to frame. `last`: more of the camera of the last frame.
