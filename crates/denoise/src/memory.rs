@@ -74,7 +74,7 @@ impl Need {
         let planes = 4 * setup.mapping.roles.values().map(|names| names.len() as u64).sum::<u64>();
         // What roles are made of, one after the other.
         let pieces = 7 * (TEXEL + 1);
-        let averages = if setup.averages() && setup.mapping.has(Role::Motion) { AVERAGES } else { 0 };
+        let averages = if setup.averages() { AVERAGES } else { 0 };
         let outputs = if demands.filtered { COLOUR } else { 0 };
         let at_once = (AT_WORK + 2 * queue as u64).min(demands.frames as u64);
         let of_result = setup.result_pixels() as u64;

@@ -271,10 +271,16 @@ impl Setup {
         self.sequence.as_ref().is_some_and(|s| s.verbatim)
     }
 
+    /// Whether it is known where surfaces were in the frame before: by their motion, or by depth and the cameras if they stand still.
+    pub fn knows_motion(&self) -> bool {
+        let has_depth = self.mapping.has(Role::Depth) || self.mapping.has(Role::Position);
+        self.mapping.has(Role::Motion) || (self.sequence.is_some() && has_depth)
+    }
+
     /// Whether images that no filter smooths may be averaged over frames: where the result is of that size, and nobody else does it.
     pub fn averages(&self) -> bool {
         let of_frames = self.config.light_extent.is_none() && self.config.output_extent.is_none();
-        of_frames && !self.stills && !self.is_verbatim()
+        of_frames && self.knows_motion() && !self.stills && !self.is_verbatim()
     }
 
     /// Tunables of a frame.

@@ -37,7 +37,7 @@ const STILL: f32 = 0.01;
 
 /// Whether there are averages of a frame: they follow its motion.
 pub fn is_averaged(frame: &FrameInputs, setup: &Setup) -> bool {
-    setup.averages() && frame.images.contains_key("motion") && frame.params.jitter == [0.0; 2]
+    setup.averages() && frame.params.jitter == [0.0; 2]
 }
 
 /// Whether guides are means over samples that are spread over their pixels: at outlines, the mean of two normals is shorter than each.

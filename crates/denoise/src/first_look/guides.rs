@@ -61,11 +61,8 @@ pub fn check(pair: &[FrameInputs; 2], setup: &mut Setup) -> Result<()> {
         return Ok(());
     }
     let surface = motion::of_frame(now, &before.params, &setup.config.conventions);
-    // Matrices alone do not say where a surface was.
-    let has_depth = DEPTH.iter().any(|role| setup.mapping.has(*role));
-    let is_known = setup.mapping.has(Role::Motion) || (setup.sequence.is_some() && has_depth);
     let is_jittered = pair.iter().any(|frame| frame.params.jitter != [0.0; 2]);
-    let limit = if is_known && !is_jittered { NOISY } else { NOISY_UNKNOWN };
+    let limit = if setup.knows_motion() && !is_jittered { NOISY } else { NOISY_UNKNOWN };
     let averages = unfiltered::is_averaged(now, setup);
     let share = |values: [Vec<f32>; 2], skipped: Option<&[bool]>| {
         let values = values.each_ref().map(Vec::as_slice);

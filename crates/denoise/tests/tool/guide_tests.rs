@@ -89,6 +89,23 @@ fn noise_of_an_albedo_is_averaged() {
     assert!(!looked_at(noisy_albedos(true, true).path()).0.mapping.has(Role::Albedo), "in fog nobody knows whose it is");
 }
 
+/// Where neither motion nor depth and cameras tell the place in the frame before, a mean would smear what moves.
+#[test]
+fn averages_need_the_place_in_the_frame_before() {
+    let without_motion = |_: u32, frame: &Frame| {
+        let sample = frame.add(Frame::sample(), "", "RGB", |s| s.noisy);
+        frame.add(sample, "depth", "Z", |s| [s.depth])
+    };
+    let averages = |input: &tempfile::TempDir| looked_at(input.path()).0.averages();
+    let with_cameras = written(Scene::default(), 2, without_motion);
+    assert!(averages(&with_cameras));
+    std::fs::remove_file(with_cameras.path().join("sequence.json")).expect("a file");
+    assert!(!averages(&with_cameras));
+    let with_motion = written(Scene::default(), 2, |_, frame| frame.plain());
+    std::fs::remove_file(with_motion.path().join("sequence.json")).expect("a file");
+    assert!(averages(&with_motion));
+}
+
 /// In the middle of pixels a print differs from frame to frame as noise does, but a mean would blur it.
 #[test]
 fn albedos_of_the_middle_of_pixels_are_not_averaged() {
@@ -145,7 +162,7 @@ fn a_texture_that_moves_is_no_noise() {
     assert!(looked_at(input.path()).0.mapping.has(Role::Albedo));
 }
 
-/// Jitter meets a print that is finer than pixels elsewhere in every frame. Without motion nothing is averaged.
+/// Jitter meets a print that is finer than pixels elsewhere in every frame.
 #[test]
 fn a_fine_print_of_jittered_frames_is_no_noise() {
     let is_taken = |jitter: &str, tiles: usize| {
@@ -157,10 +174,7 @@ fn a_fine_print_of_jittered_frames_is_no_noise() {
                     seen.albedo = [0.2 + 0.6 * samples::noise(x as i32, y as i32, 90 + number); 3];
                 }
             }
-            let frame = Frame { pixels: std::rc::Rc::new(pixels) };
-            let sample = frame.add(Frame::sample(), "", "RGB", |s| s.noisy);
-            let sample = frame.add(sample, "albedo", "RGB", |s| s.albedo);
-            frame.add(sample, "depth", "Z", |s| [s.depth])
+            Frame { pixels: std::rc::Rc::new(pixels) }.plain()
         });
         let path = input.path().join("sequence.json");
         let cameras = std::fs::read_to_string(&path).expect("cameras");
