@@ -1,4 +1,4 @@
-// What the light of a pixel is divided by: what the host says that its surface reflects. Twin: albedo_at and divisor in
+// What the light of a pixel is divided by: what the host says that its surface reflects. Twin: divisor_at in
 // src/nodes/demodulate/twin.rs.
 // Needs the bindings ALBEDO, SPECULAR_ALBEDO, SPECULAR_F0 and ROUGHNESS, which are optional, and two constants. SPECULAR: whether the second of two
 // signals is specular light, with a divisor of its own. COAT: whether the first signal is, by ALBEDO.

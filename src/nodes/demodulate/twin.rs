@@ -101,23 +101,30 @@ pub(crate) fn divisor(albedo: Option<[f32; 4]>) -> ([f32; 3], bool) {
 }
 
 /// The same of specular light, of which there is little where little is reflected: black divides as a dark albedo does.
-pub(crate) fn specular_divisor(albedo: Option<[f32; 4]>) -> ([f32; 3], bool) {
+fn specular_divisor(albedo: Option<[f32; 4]>) -> ([f32; 3], bool) {
     let albedo = albedo.unwrap_or([1.0; 4]);
     (limited(reflectance(albedo).map(|a| a.max(DARK_ALBEDO))), !is_known(albedo))
 }
 
-/// The albedo of a pixel: the host's, or that of its reflectance at normal incidence; none in the background.
-pub(crate) fn albedo_at(
+/// The divisor of a pixel's light, by the host's albedo or that of its reflectance at normal incidence; 1 in the background. Also whether
+/// a component was not finite.
+pub(crate) fn divisor_at(
     frame: &FrameConstants,
     surface: &Surface,
     albedo: Option<&Image<[f32; 4]>>,
     specular_f0: Option<SpecularF0>,
+    is_specular: bool,
     p: IVec2,
-) -> Option<[f32; 4]> {
+) -> ([f32; 3], bool) {
     let traced = frame.guide_pixel(p);
     let given = albedo.map(|albedo| albedo.at(traced));
     let computed = || specular_f0.map(|f0| f0.albedo(frame, traced, p, surface));
-    given.or_else(computed).filter(|_| !surface.is_background())
+    let albedo = given.or_else(computed).filter(|_| !surface.is_background());
+    if is_specular {
+        specular_divisor(albedo)
+    } else {
+        divisor(albedo)
+    }
 }
 
 /// The albedo that divides: of mixed light, base and coat together.
@@ -152,8 +159,7 @@ pub(crate) fn demodulate(frame: &FrameConstants, tuning: &Tuning, inputs: &Demod
             .filter(|_| inputs.albedo.is_none() && !surface.is_background())
             .map(|f0| f0.image.at(frame.guide_pixel(p)));
         let is_f0_bad = f0.is_some_and(|f0| f0[..3].iter().any(|c| !c.is_finite()));
-        let albedo = albedo_at(frame, &surface, inputs.albedo, inputs.specular_f0, p);
-        let (divisor, is_bad) = if inputs.is_specular { specular_divisor(albedo) } else { divisor(albedo) };
+        let (divisor, is_bad) = divisor_at(frame, &surface, inputs.albedo, inputs.specular_f0, inputs.is_specular, p);
         (divisor, is_bad || is_f0_bad)
     });
     let distances = inputs.specular_hit_distance.map(|image| {

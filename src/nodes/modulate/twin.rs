@@ -1,6 +1,6 @@
 //! The stage `modulate`: irradiance multiplied by albedo again, signals summed, emission added \[SVGF 3\].
 
-use crate::nodes::demodulate::twin::{albedo_at, divisor, reflectance, specular_divisor, with_coat};
+use crate::nodes::demodulate::twin::{divisor, divisor_at, reflectance, with_coat};
 use crate::nodes::import::twin::rendered_guide;
 use crate::nodes::upsample::twin::{upsample, UpsampleInputs};
 use crate::reference::bindings::Bindings;
@@ -61,7 +61,7 @@ pub(crate) fn modulate(frame: &FrameConstants, inputs: &ModulateInputs) -> Modul
         let (divisor_of_albedo, is_albedo_bad) = divisor(albedo);
         let comes_divided = is_demodulated(frame);
         let albedo = if comes_divided { reflectance(albedo.unwrap_or([1.0; 4])) } else { divisor_of_albedo };
-        let of_coat = |s: SpecularAlbedos| specular_divisor(albedo_at(frame, &surface, s.albedo, s.f0, p)).0;
+        let of_coat = |s: SpecularAlbedos| divisor_at(frame, &surface, s.albedo, s.f0, true, p).0;
         let factors = [albedo, inputs.specular.map_or(albedo, of_coat)];
         let [r, g, b, _] = inputs.emission.map_or([0.0; 4], |emission| emission.at(p));
         let is_bad = [r, g, b].iter().any(|e| !e.is_finite());

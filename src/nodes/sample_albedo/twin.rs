@@ -1,6 +1,6 @@
 //! The stage `sample_albedo`: light of gradient samples over the albedo of the points that it comes from.
 
-use crate::nodes::demodulate::twin::{albedo_at, divisor, specular_divisor, with_coat};
+use crate::nodes::demodulate::twin::{divisor_at, with_coat};
 use crate::reference::binary16::store;
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::Rule;
@@ -47,8 +47,8 @@ pub(crate) struct SampleAlbedoOutputs {
 pub(crate) fn sample_albedo(frame: &FrameConstants, stratum_size: u32, inputs: &SampleAlbedoInputs) -> SampleAlbedoOutputs {
     let strata = Strata::new(frame, stratum_size);
     let divisor_at = |p: IVec2| {
-        let albedo = albedo_at(frame, &unpack_guide(inputs.guide.at(p)), inputs.albedo, inputs.specular_f0, p);
-        let (divisor, _) = if inputs.is_specular { specular_divisor(albedo) } else { divisor(albedo) };
+        let surface = unpack_guide(inputs.guide.at(p));
+        let (divisor, _) = divisor_at(frame, &surface, inputs.albedo, inputs.specular_f0, inputs.is_specular, p);
         divisor.map(store)
     };
     let last_pixel = UVec2::from(frame.render_extent).as_ivec2() - 1;

@@ -76,9 +76,9 @@ pub fn check(pair: &[FrameInputs; 2], setup: &mut Setup) -> Result<()> {
     let depth = if DEPTH.iter().any(is_open) { share([before, now].map(|frame| nearness(frame, setup)), None) } else { 0.0 };
     // What is averaged over frames may be noisy: outlines, and an albedo as far as depths say whose it is.
     let outlines = averages.then(|| unfiltered::are_borders(&surface, now.params.render_extent));
-    let is_averaged = |name: &str| name == ALBEDO && averages && setup.has_means && depth <= limit;
+    let has_mean = |name: &str| name == ALBEDO && averages && setup.has_means && depth <= limit;
     let mut found = Vec::new();
-    for (name, roles, of, remedy) in GUIDES.iter().filter(|(name, roles, ..)| roles.iter().any(is_open) && !is_averaged(name)) {
+    for (name, roles, of, remedy) in GUIDES.iter().filter(|(name, roles, ..)| roles.iter().any(is_open) && !has_mean(name)) {
         let skipped = outlines.as_deref().filter(|_| *name == EMISSION);
         found.push((*name, *roles, images(name, *of).map_or(0.0, |values| share(values, skipped)), *remedy));
     }

@@ -96,6 +96,7 @@ impl Pair<'_> {
     /// surface, or by parts of a pixel, is found again. Noise is not.
     fn least_change(&self, pixels: &[[usize; 2]]) -> f32 {
         let shifts = (-SHIFT..=SHIFT).flat_map(|y| (-SHIFT..=SHIFT).map(move |x| [x, y]));
+        // Beyond the picture nothing is found.
         let changed = |shift| pixels.iter().map(|[x, y]| self.change(*x, *y, shift).unwrap_or(1.0)).sum::<f32>();
         shifts.map(changed).fold(f32::INFINITY, f32::min)
     }
@@ -125,21 +126,19 @@ impl Pair<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use atrous_synthetic::scene;
 
     const SIDE: usize = 3 * TILE;
-
-    fn random(x: usize, y: usize, seed: u32) -> f32 {
-        let mut v = (y * 4096 + x) as u32 ^ seed.wrapping_mul(0x9e37_79b9);
-        v = (v ^ (v >> 16)).wrapping_mul(0x7feb_352d);
-        v = (v ^ (v >> 15)).wrapping_mul(0x846c_a68b);
-        ((v ^ (v >> 16)) >> 8) as f32 / (1 << 24) as f32
-    }
 
     fn noisy_share(frames: [&dyn Fn(usize, usize) -> f32; 2], skipped: Option<&[bool]>) -> f32 {
         let values = frames.map(|value| (0..SIDE * SIDE).map(|i| value(i % SIDE, i / SIDE)).collect::<Vec<_>>());
         let motion_px = vec![[0.0; 2]; SIDE * SIDE];
         let [before, now] = values.each_ref().map(Vec::as_slice);
         Pair { extent: [SIDE as u32; 2], values: [before, now], motion_px: &motion_px, skipped }.noisy_share()
+    }
+
+    fn random(x: usize, y: usize, seed: u32) -> f32 {
+        scene::random(x as u32, y as u32, seed)
     }
 
     #[test]
