@@ -5,8 +5,11 @@
 // With UPSAMPLED the irradiance has fewer pixels, and is brought to each rendered one first, as upsample does; so it is never stored.
 // In:  filtered irradiance per signal; albedo and emission of the host, and for specular light, the second signal then, an albedo of its own,
 //      or specular_f0; guide; where light has fewer pixels also the host's depth, normal and surface_id. Out: denoised_radiance, linear Rec. 709.
+//      And where light was accumulated by the pixels of the picture: the light as it was before the filter, and its luminance_history, which says how
+//      much of the detail around a pixel noise does not explain. That share is no longer filtered away [ours].
 // Constant SPECULAR: the second signal is specular light. Without it both albedos add up, as those of mixed light do.
 // variants: FLOAT=0 FLOAT=1 FLOAT=0,UPSAMPLED=1 FLOAT=1,UPSAMPLED=1
+// optional: irradiance_history_0, irradiance_history_1, luminance_history_0, luminance_history_1
 // optional: albedo, emission, filtered_1, specular_albedo, specular_f0, roughness, depth, normal, surface_id
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -24,7 +27,7 @@ layout(push_constant) uniform Push {
 #include "optional.glsl"
 #include "conventions.glsl"
 #include "statistics.glsl"
-#include "guide.glsl"
+#include "luminance_history.glsl"
 #include "outgoing.glsl"
 #include "demodulation.glsl"
 
@@ -41,6 +44,10 @@ const uint ROUGHNESS = 11u;
 const uint DEPTH = 12u;
 const uint NORMAL = 13u;
 const uint SURFACE_ID_IMAGE = 14u;
+const uint IRRADIANCE_HISTORY_0 = 15u;
+const uint IRRADIANCE_HISTORY_1 = 16u;
+const uint LUMINANCE_HISTORY_0 = 17u;
+const uint LUMINANCE_HISTORY_1 = 18u;
 
 #if UPSAMPLED
 // Nobody sets it: its default tells the variant.
@@ -100,11 +107,33 @@ void main() {
     }
 }
 #else
+layout(set = 0, binding = IRRADIANCE_HISTORY_0) uniform texture2D irradiance_history_0;
+layout(set = 0, binding = IRRADIANCE_HISTORY_1) uniform texture2D irradiance_history_1;
+layout(set = 0, binding = LUMINANCE_HISTORY_0) uniform utexture2D luminance_history_0;
+layout(set = 0, binding = LUMINANCE_HISTORY_1) uniform utexture2D luminance_history_1;
+
+// Pixels from one window of 5x5 to the next.
+const int WINDOWS = 4;
+
+// The light of a pixel with the detail that noise does not explain: of five windows, since one is too few to tell noise from it.
+vec3 with_detail(vec3 filtered, texture2D irradiance_history, utexture2D luminance_history, ivec2 p) {
+    float sum = detail_of(texelFetch(luminance_history, p, 0).x);
+    if (sum == UNTOLD_DETAIL) return filtered;
+    [[unroll]] for (int i = 0; i < 4; ++i) {
+        ivec2 beside = nearest_inside(p + WINDOWS * (2 * ivec2(i & 1, i >> 1) - 1));
+        sum += detail_of(texelFetch(luminance_history, beside, 0).x);
+    }
+    return mix(filtered, texelFetch(irradiance_history, p, 0).rgb, max(0.2 * sum, 0.0));
+}
+
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
-    vec3 second = is_present(FILTERED_1) ? texelFetch(filtered_1, host_pixel(FILTERED_1, p), 0).rgb : vec3(0.0);
     GuideBits packed = rendered_guide_at(p);
-    modulate(p, packed, texelFetch(filtered_0, host_pixel(FILTERED_0, p), 0).rgb, second);
+    vec3 first = texelFetch(filtered_0, host_pixel(FILTERED_0, p), 0).rgb, second = vec3(0.0);
+    if (is_present(FILTERED_1)) second = texelFetch(filtered_1, host_pixel(FILTERED_1, p), 0).rgb;
+    if (is_wired(IRRADIANCE_HISTORY_0)) first = with_detail(first, irradiance_history_0, luminance_history_0, p);
+    if (is_wired(IRRADIANCE_HISTORY_1)) second = with_detail(second, irradiance_history_1, luminance_history_1, p);
+    modulate(p, packed, first, second);
 }
 #endif

@@ -151,6 +151,7 @@ struct Surroundings {
     float seen;    // of that noise, without edges and textures
     float doubt;   // how much wider that variance is, as a share of it, since few pixels tell it
     bool rare;     // few pixels have its light
+    float detail;  // of what bends, the share that the past does not explain as noise, -1 to 1
 };
 
 // How far neighbours differ as noise does and not as a picture, 0 to 1, and the part of a variance that counts: less in a picture, and none in a clear
@@ -219,17 +220,18 @@ Surroundings surroundings_of(vec2 luminances[PIXELS], float weights[PIXELS], Lum
     // The mean of one frame is its sample: what it varies by is seen in its neighbours already.
     bool is_sample = m.outside >= 0.0;
     float within = is_sample ? 0.0 : past;
-    if (FILLED) return Surroundings(within, FILLED_NOISE * spreads.x, FILLED_NOISE * spreads.x, doubt_of(error, 0.0), rare);
+    if (FILLED) return Surroundings(within, FILLED_NOISE * spreads.x, FILLED_NOISE * spreads.x, doubt_of(error, 0.0), rare, UNTOLD_DETAIL);
     vec2 white = vec2(1.0);
-    float noise = spreads.x, log_noise = 0.0;
+    float noise = spreads.x, log_noise = 0.0, detail = UNTOLD_DETAIL;
     if (triples > LEAST_BENDS) {
         bends /= BEND_OF_NOISE * triples;
         white = whiteness(spreads.y, bends.y);
         noise = min(noise, bends.x);
         log_noise = bends.y;
+        if (is_sample) detail = max(1.0 - past / max(noise, 1e-20), UNTOLD_DETAIL);
     }
     if (is_sample) white *= min(MOST_OF_PAST * past / max(noise, 1e-20), 1.0);
-    return Surroundings(within * white.y, noise * white.y, noise * white.x, doubt_of(error, log_noise), rare);
+    return Surroundings(within * white.y, noise * white.y, noise * white.x, doubt_of(error, log_noise), rare, detail);
 }
 
 // Of the noise that neighbouring means still show: noise that repeats is not averaged away, and few neighbours show too little of it.
@@ -250,6 +252,11 @@ float deviation_of_mean(LuminanceHistory m, Surroundings around) {
     return sqrt(max(known, seen));
 }
 
+uint history_of(uint new_luminance, float length_or_reason, float detail, ivec2 p) {
+    uint packed = pack_luminance_history(new_luminance, length_or_reason, p);
+    return detail > UNTOLD_DETAIL ? with_detail(packed, detail) : packed;
+}
+
 bool needs_neighbours(float history_length) { return !TEMPORAL && (FADE || history_length < push.spatial_variance_frames); }
 
 void main() {
@@ -260,13 +267,11 @@ void main() {
     vec4 value_0 = texelFetch(irradiance_0, p, 0);
     uint packed_0 = packed_at(new_luminance_0, p).x;
     LuminanceHistory m = luminance_history_of(packed_0, value_0.a);
-    imageStore(luminance_history_0, p, uvec4(pack_luminance_history(packed_0, value_0.a, p)));
-    vec2 means = vec2(m.mean), deviations = vec2(m.deviation), lengths = vec2(m.history_length);
+    vec2 means = vec2(m.mean), deviations = vec2(m.deviation), lengths = vec2(m.history_length), details = vec2(UNTOLD_DETAIL);
 #if SIGNALS == 2
     vec4 value_1 = texelFetch(irradiance_1, p, 0);
     uint packed_1 = packed_at(new_luminance_1, p).x;
     LuminanceHistory m_1 = luminance_history_of(packed_1, value_1.a);
-    imageStore(luminance_history_1, p, uvec4(pack_luminance_history(packed_1, value_1.a, p)));
     means.y = m_1.mean;
     deviations.y = m_1.deviation;
     lengths.y = m_1.history_length;
@@ -280,10 +285,13 @@ void main() {
         [[unroll]] for (int i = 0; i < PIXELS; ++i) luminances[i] = unpack_new_luminance(packed_at(new_luminance_0, pixel_of(p, i)).x);
         Surroundings around = surroundings_of(luminances, weights, m);
         deviations.x = deviation_of_mean(m, around);
+        details.x = around.detail;
         if (MARKED) deviations.x = marked(deviations.x, around.rare);
 #if SIGNALS == 2
         [[unroll]] for (int i = 0; i < PIXELS; ++i) luminances[i] = unpack_new_luminance(packed_at(new_luminance_1, pixel_of(p, i)).x);
-        deviations.y = deviation_of_mean(m_1, surroundings_of(luminances, weights, m_1));
+        around = surroundings_of(luminances, weights, m_1);
+        deviations.y = deviation_of_mean(m_1, around);
+        details.y = around.detail;
 #endif
     } else if (needs_neighbours(min(lengths.x, lengths.y))) {
         vec2 sums[2];
@@ -293,7 +301,9 @@ void main() {
     }
     deviations = min(deviations, 65504.0);
     imageStore(estimate_0, p, vec4(value_0.rgb, deviations.x));
+    imageStore(luminance_history_0, p, uvec4(history_of(packed_0, value_0.a, details.x, p)));
 #if SIGNALS == 2
+    imageStore(luminance_history_1, p, uvec4(history_of(packed_1, value_1.a, details.y, p)));
     imageStore(estimate_1, p, vec4(value_1.rgb, deviations.y));
 #endif
 }

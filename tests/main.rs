@@ -15,6 +15,7 @@ mod counters;
 mod debug_views;
 mod declarations;
 mod defaults;
+mod detail;
 mod documents;
 mod eaw;
 mod faults;
@@ -75,6 +76,7 @@ fn main() {
         Group { name: "contract", tests: contract::TESTS, needs_device: false },
         Group { name: "declarations", tests: declarations::TESTS, needs_device: false },
         Group { name: "defaults", tests: defaults::TESTS, needs_device: true },
+        Group { name: "detail", tests: detail::TESTS, needs_device: true },
         Group { name: "documents", tests: documents::TESTS, needs_device: false },
         Group { name: "hazards", tests: hazards::TESTS, needs_device: true },
         Group { name: "host_header", tests: host_header::TESTS, needs_device: false },

@@ -45,6 +45,10 @@ LuminanceHistory luminance_history_of(uint packed, float length_or_reason) {
 // The code of a length is the upper part of its half, of which the smallest is this one, 1/16 of a frame; 0: none. Above all of them are reasons.
 const uint SHORTEST_LENGTH = 351u;
 const uint NO_REASON_CODE = 506u;
+// A history of one frame has no deviation. With this code the detail around the pixel is told in its place: a share from -1 to 1, of which noise
+// explains the rest.
+const uint DETAIL_CODE = NO_REASON_CODE;
+const float UNTOLD_DETAIL = -1.0;
 
 // A half without its sign and its lowest bits. They are rounded up as often as they would fill the next step: small weights add up so.
 uint upper_bits(uint half_bits, uint dropped, uint random) {
@@ -63,9 +67,14 @@ uint pack_luminance_history(uint new_luminance, float length_or_reason, ivec2 p)
     return mean << 19 | deviation << 9 | code;
 }
 
+uint with_detail(uint packed, float detail) { return packed & 0xfff80000u | uint(511.5 * detail + 512.0) << 9 | DETAIL_CODE; }
+
+float detail_of(uint packed) { return (packed & 511u) == DETAIL_CODE ? float(packed >> 9 & 1023u) / 511.5 - 1.0 : UNTOLD_DETAIL; }
+
 LuminanceHistory unpack_luminance_history(uint packed) {
     float mean = half_value(packed >> 19 << 2), deviation = half_value((packed >> 9 & 1023u) << 5);
     uint code = packed & 511u;
+    if (code == DETAIL_CODE) return LuminanceHistory(mean, 0.0, 1.0, REASON_NONE, UNTOLD);
     if (code > NO_REASON_CODE) return LuminanceHistory(mean, deviation, 1.0, code - NO_REASON_CODE, UNTOLD);
     return LuminanceHistory(mean, deviation, code == 0u ? 0.0 : half_value((code + SHORTEST_LENGTH) << 5), REASON_NONE, UNTOLD);
 }

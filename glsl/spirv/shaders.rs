@@ -923,6 +923,10 @@ pub(crate) static MODULATE_FLOAT_0: Shader = Shader {
         ShaderBinding { number: 12, name: Cow::Borrowed("depth"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 13, name: Cow::Borrowed("normal"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 14, name: Cow::Borrowed("surface_id"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 15, name: Cow::Borrowed("irradiance_history_0"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 16, name: Cow::Borrowed("irradiance_history_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 17, name: Cow::Borrowed("luminance_history_0"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 18, name: Cow::Borrowed("luminance_history_1"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
@@ -953,6 +957,10 @@ pub(crate) static MODULATE_FLOAT_1: Shader = Shader {
         ShaderBinding { number: 12, name: Cow::Borrowed("depth"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 13, name: Cow::Borrowed("normal"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 14, name: Cow::Borrowed("surface_id"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 15, name: Cow::Borrowed("irradiance_history_0"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 16, name: Cow::Borrowed("irradiance_history_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 17, name: Cow::Borrowed("luminance_history_0"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 18, name: Cow::Borrowed("luminance_history_1"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },

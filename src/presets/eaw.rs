@@ -1,10 +1,10 @@
 //! Edge-avoiding à-trous wavelets [EAW]: one frame, no history.
 
-use super::specular::{demodulated, modulate, sum};
+use super::specular::{demodulated, modulate};
 use super::{firefly_filter, noisy, Denoised};
 use crate::config::Config;
 use crate::graph::{Graph, Guides};
-use crate::nodes::{Eaw, Intermediates};
+use crate::nodes::{Eaw, Intermediates, Modulate};
 
 /// EAW: wavelet levels by radiance, normal and position, without history. \[EAW\]
 ///
@@ -20,7 +20,7 @@ pub fn eaw(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
         Some(reflected) => {
             let specular = g.eaw(guides, reflected, Eaw { levels, weights, sampling, ..Eaw::default() });
             let both = g.pair(&filtered, &specular);
-            sum(g, guides, config, &both)
+            g.modulate(guides, &both, Modulate { specular: true, ..modulate(config) })
         }
         None => g.modulate(guides, &filtered, modulate(config)),
     };

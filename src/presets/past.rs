@@ -25,6 +25,8 @@ pub(super) struct Compared {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Estimated {
     pub estimate: Estimate,
+    /// That of specular light is apart.
+    pub history: History,
     pub specular: Option<SpecularEstimate>,
     mixed: Option<Reflection>,
 }
@@ -83,7 +85,7 @@ impl Past {
         let (accumulated, mixed) = self.accumulated(g, guides, irradiance, accumulation);
         let estimate = g.variance(guides, &accumulated, &self.history, specular.variance);
         let specular = self.reflected.map(|reflected| estimated(g, guides, config, &reflected, specular));
-        Estimated { estimate, specular, mixed }
+        Estimated { estimate, history: self.history, specular, mixed }
     }
 
     /// With [`Signals::Mixed`] also the reflections in surfaces.

@@ -1,7 +1,7 @@
 //! The filter of specular light, beside that of diffuse light.
 
 use super::past::Estimated;
-use crate::config::{Config, Signals};
+use crate::config::{Config, Sampling, Signals};
 use crate::graph::{
     Confidence, Difference, Estimate, Feedback, Gradient, GradientSamples, Graph, Guides, History, Irradiance, Port, Radiance,
     Reflection,
@@ -149,17 +149,20 @@ pub(super) fn filtered(g: &mut Graph, guides: &Guides, config: &Config, estimate
     let spatial = Atrous { reflection: estimated.reflection(), ..spatial };
     let Some(specular) = estimated.specular else {
         let filtered = g.atrous(guides, &estimated.estimate, spatial).into();
-        return g.modulate(guides, &filtered, modulate(config));
+        let detail = detail(g, config, estimated.history);
+        return g.modulate(guides, &filtered, Modulate { detail, ..modulate(config) });
     };
     let feedback = spatial.feedback.map(|diffuse| diffuse.beside(specular.history));
     let both = g.pair(&estimated.estimate, &specular.estimate);
     let filtered = g.atrous(guides, &both, Atrous { feedback, ..spatial }).into();
-    sum(g, guides, config, &filtered)
+    let detail = detail(g, config, estimated.history.beside(specular.history));
+    g.modulate(guides, &filtered, Modulate { specular: true, detail, ..modulate(config) })
 }
 
-/// Radiance of diffuse and specular irradiance.
-pub(super) fn sum(g: &mut Graph, guides: &Guides, config: &Config, both: &Irradiance) -> Radiance {
-    g.modulate(guides, both, Modulate { specular: true, ..modulate(config) })
+/// The source of the detail that noise does not explain. Pixels that were filled in tell nothing of it, and light of fewer pixels has none of its own.
+fn detail(g: &Graph, config: &Config, history: History) -> Option<History> {
+    let has_own = !g.has_light_extent() && config.sampling == Sampling::Full;
+    (has_own && history.feedback == Feedback::Accumulated).then_some(history)
 }
 
 /// Radiance of the whole picture, as the configuration has it.

@@ -4,7 +4,7 @@ use super::binary16::from_half_bits;
 use super::blocks::{BLOCK_SIZE, CELL_SIZE};
 use super::both_confidences::specular_confidence;
 use super::guide::unpack_guide;
-use super::luminance_history::unpack_luminance_history;
+use super::luminance_history::{detail_of, unpack_luminance_history};
 use super::octahedral::octahedral10_to_normal;
 use super::rare_light::is_rare;
 use super::reflection::{unpack_image_share, unpack_reflection};
@@ -61,6 +61,8 @@ pub(crate) enum Reading {
     Normal,
     /// Mean, deviation, history length and reason.
     LuminanceHistory,
+    /// The detail that `luminance_history*` tells, -1 where it tells none.
+    Detail,
     /// Mean of `visibility_history`.
     Visibility,
     /// Hit distance and roughness of `reflection*`.
@@ -266,6 +268,7 @@ impl Reading {
                 let m = unpack_luminance_history(texel);
                 padded([m.mean, m.deviation, m.history_length, m.reason.into()])
             }
+            Self::Detail => padded([detail_of(texel).unwrap_or(-1.0)]),
             Self::ImageShare => padded([unpack_image_share(texel).unwrap_or(-1.0)]),
             Self::Visibility => padded([unpack_visibility(texel, None).mean[0]]),
             Self::VisibilityColours => {

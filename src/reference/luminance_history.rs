@@ -56,6 +56,12 @@ const SHORTEST_LENGTH: u32 = 351;
 /// Codes above this one are reasons of a loss.
 const NO_REASON_CODE: u32 = 506;
 
+/// Of a history of one frame whose detail is told in the place of a deviation.
+const DETAIL_CODE: u32 = NO_REASON_CODE;
+
+/// Half of the steps of that detail.
+const DETAIL_STEPS: f32 = 511.5;
+
 /// A half without its sign and its lowest bits. They are rounded up as often as they would fill the next step: small weights add up so.
 fn upper_bits(x: f32, dropped: u32, random: u32) -> u32 {
     let bits = u32::from(half_bits(store(x)) & 0x7fff) + (random & ((1 << dropped) - 1));
@@ -79,16 +85,27 @@ pub(crate) fn pack_luminance_history(m: &LuminanceHistory, p: IVec2) -> u32 {
     upper_bits(m.mean, 2, random) << 19 | upper_bits(m.deviation, 5, random >> 2) << 9 | code
 }
 
-/// The content of a texel of `luminance_history*`.
+/// A texel of `luminance_history*` that tells the detail around its pixel: a share from -1 to 1, of which noise explains the rest.
+pub(crate) fn with_detail(packed: u32, detail: f32) -> u32 {
+    packed & 0xfff8_0000 | ((DETAIL_STEPS * detail + 512.0) as u32) << 9 | DETAIL_CODE
+}
+
+/// That detail, where a texel tells it.
+pub(crate) fn detail_of(packed: u32) -> Option<f32> {
+    (packed & 511 == DETAIL_CODE).then(|| (packed >> 9 & 1023) as f32 / DETAIL_STEPS - 1.0)
+}
+
+/// The content of a texel of `luminance_history*`, but for [`detail_of`].
 pub fn unpack_luminance_history(packed: u32) -> LuminanceHistory {
     let (history_length, reason) = match packed & 511 {
         0 => (0.0, 0),
+        DETAIL_CODE => (1.0, 0),
         code if code > NO_REASON_CODE => (1.0, (code - NO_REASON_CODE) as u16),
         code => (from_upper_bits(code + SHORTEST_LENGTH, 5), 0),
     };
     LuminanceHistory {
         mean: from_upper_bits(packed >> 19, 2),
-        deviation: from_upper_bits(packed >> 9 & 1023, 5),
+        deviation: if detail_of(packed).is_some() { 0.0 } else { from_upper_bits(packed >> 9 & 1023, 5) },
         history_length,
         reason,
         outside: None,
@@ -164,6 +181,25 @@ mod tests {
         }
         let endless = LuminanceHistory { mean: f32::INFINITY, deviation: LARGEST_HALF, ..LuminanceHistory::default() };
         assert!(packed(endless).all(|m| m.mean > 65000.0 && m.mean.is_finite() && m.deviation.is_finite()));
+    }
+
+    #[test]
+    fn detail_stands_in_the_place_of_a_deviation() {
+        let one = LuminanceHistory { mean: 3.5, deviation: 0.0, history_length: 1.0, reason: 0, outside: None };
+        let texel = pack_luminance_history(&one, IVec2::new(3, 4));
+        for detail in [-1.0, -0.999, -0.5, 0.0, 0.123, 0.999, 1.0] {
+            let told = with_detail(texel, detail);
+            assert_eq!(unpack_luminance_history(told), one, "{detail}");
+            assert!((detail_of(told).expect("told") - detail).abs() <= 0.501 / DETAIL_STEPS, "{detail}");
+        }
+        let others = [
+            one,
+            LuminanceHistory { history_length: 0.0, ..one },
+            LuminanceHistory { history_length: 1024.0, deviation: 2.0, ..one },
+            LuminanceHistory { reason: Reason::OffScreen as u16, ..one },
+            LuminanceHistory { reason: Reason::Reset as u16, ..one },
+        ];
+        assert!(others.iter().all(|m| detail_of(pack_luminance_history(m, IVec2::ZERO)).is_none()));
     }
 
     #[test]

@@ -127,11 +127,13 @@ fn surfaces(g: &mut Graph, dice: &mut Dice, guides: &Guides, output: &str) -> Br
     let filter = Filter { guides, history, feedback, other: &format!("{output}_by_the_other_kernel"), albedo };
     let (filtered, deviation) = filter.add(g, dice, &accumulated);
     let (filtered, specular) = beside_specular(g, dice, guides, filtered, change.confidence);
+    // Without a throw of the dice, so that other seeds stay what they were.
+    let detail = (feedback == Feedback::Accumulated && !specular && dice.clone().coin()).then_some(history);
     // Never mixed: the light that comes is not divided by the coat.
     let radiance = g.modulate(
         guides,
         &filtered,
-        Modulate { albedo, mixed: false, specular, emission: dice.coin(), float_output: dice.coin() },
+        Modulate { albedo, mixed: false, specular, emission: dice.coin(), float_output: dice.coin(), detail },
     );
     g.output(output, &radiance);
     if let Some(confidence) = change.confidence.filter(|_| dice.coin()) {

@@ -442,7 +442,7 @@ typedef enum AtrousCounter {
 // eaw(guides, irradiance, [levels, weights, sampling, feedback])
 #define ATROUS_NODE_EAW "eaw"
 
-// modulate(guides, filtered, [albedo, mixed, specular, emission, float_output])
+// modulate(guides, filtered, [albedo, mixed, specular, emission, float_output, detail])
 #define ATROUS_NODE_MODULATE "modulate"
 
 // tone_map(denoised)

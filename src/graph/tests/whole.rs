@@ -157,6 +157,36 @@ fn a_history_of_other_signals_is_refused() {
 }
 
 #[test]
+fn detail_is_of_a_history_of_the_same_light() {
+    let refused = |feedback, twice: bool| {
+        let (mut g, guides, accumulated, history) = accumulated(feedback);
+        let estimate = g.variance(&guides, &accumulated, &history, Variance::default());
+        let filtered: Irradiance = match feedback {
+            Feedback::Filtered => g.atrous(&guides, &estimate, Atrous { feedback: Some(history), ..Atrous::default() }).into(),
+            Feedback::Accumulated => estimate.into(),
+        };
+        let filtered = if twice { g.pair(&filtered, &filtered) } else { filtered };
+        g.modulate(&guides, &filtered, Modulate { detail: Some(history), ..Modulate::default() });
+        refusal(g)
+    };
+    assert_names(&refused(Feedback::Filtered, false), &["node `modulate`", "port `detail`", "filtered light"]);
+    assert_names(&refused(Feedback::Accumulated, true), &["node `modulate`", "port `detail`", "signals"]);
+}
+
+#[test]
+fn detail_of_fewer_pixels_is_refused() {
+    let mut g = Graph::of(Setup { light_extent: Some([32, 18]), ..Setup::new([64, 36]) });
+    let guides = g.import(Import::default());
+    let noisy = g.radiance("noisy_radiance");
+    let irradiance = g.demodulate(&guides, &noisy, Demodulate::default());
+    let history = g.history(&irradiance, Feedback::Accumulated);
+    let accumulated = g.temporal_accumulation(&guides, &irradiance, &history, Accumulation::default());
+    let estimate = g.variance(&guides, &accumulated, &history, Variance::default());
+    g.modulate(&guides, &estimate.into(), Modulate { detail: Some(history), ..Modulate::default() });
+    assert_names(&refusal(g), &["node `modulate`", "port `detail`", "the pixels of the light"]);
+}
+
+#[test]
 fn the_albedo_of_each_of_two_signals_takes_two() {
     let mut g = Graph::new([16, 16]);
     let guides = g.import(Import::default());

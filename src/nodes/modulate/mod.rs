@@ -6,11 +6,11 @@ pub(crate) mod twin;
 
 use super::pass;
 use crate::contract::{Grid, Input, Lifetime, TexelGrid};
-use crate::graph::{Graph, Guides, Image, Irradiance, Port, Radiance, HDR, WIDE_HDR};
+use crate::graph::{Feedback, Graph, Guides, History, Image, Irradiance, Port, Radiance, HDR, WIDE_HDR};
 use crate::shaders;
 
 /// Parameters of the node `modulate`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug)]
 pub struct Modulate {
     /// Whether your optional input `albedo` multiplies the irradiance, as for the node
     /// `demodulate`. Default: true.
@@ -24,11 +24,14 @@ pub struct Modulate {
     pub emission: bool,
     /// Whether the radiance is of 32-bit floats instead of halves, as with [`crate::Config::float_output`]. Default: false.
     pub float_output: bool,
+    /// The history that this frame's light was accumulated onto, with [`Feedback::Accumulated`]. The detail that noise does not explain, by
+    /// [`crate::nodes::Estimator::OfMean`], is taken from it: it is no longer filtered away. Default: none.
+    pub detail: Option<History>,
 }
 
 impl Default for Modulate {
     fn default() -> Self {
-        Self { albedo: true, mixed: false, specular: false, emission: true, float_output: false }
+        Self { albedo: true, mixed: false, specular: false, emission: true, float_output: false, detail: None }
     }
 }
 
@@ -78,7 +81,29 @@ impl Graph {
         if modulate.emission {
             pass = pass.bind("emission", self.input(Input::EMISSION));
         }
+        if let Some(history) = modulate.detail {
+            if let Some(problem) = self.misfit(&history, filtered, gathers) {
+                self.fail(&node, "detail", problem.to_owned());
+            } else {
+                let luminance = self.current_luminance_history(&history);
+                let colour: Vec<Image> = history.colour().iter().map(|image| self.refreshed(*image)).collect();
+                pass = pass.each("irradiance_history", &colour).each("luminance_history", &luminance);
+            }
+        }
         self.add(pass);
         Port::of(self.refreshed(denoised))
+    }
+
+    /// The reason why a history is not that of the light that is modulated.
+    fn misfit(&self, history: &History, filtered: &Irradiance, gathers: bool) -> Option<&'static str> {
+        let grid = |images: &[Image]| images.first().and_then(|image| self.texels_of(*image));
+        if history.feedback != Feedback::Accumulated {
+            return Some("the history is of filtered light, which has no detail left; leave it out");
+        }
+        if history.colour().len() != filtered.signals() {
+            return Some("the history is of another number of signals than the filtered light; make both of the same port");
+        }
+        (gathers || grid(history.colour()) != grid(filtered.images()))
+            .then_some("the history has the pixels of the light, which are fewer than those of the picture; leave it out")
     }
 }

@@ -15,8 +15,11 @@ use crate::reference::Image;
 use crate::{Counter, Statistics};
 use crate::{Error, FrameConstants};
 
+mod detail;
 #[cfg(test)]
 mod tests;
+
+use detail::restored;
 
 /// Albedos of specular light, as the stage `demodulate` was given them.
 #[derive(Clone, Copy, Debug, Default)]
@@ -97,7 +100,8 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         let inputs = UpsampleInputs { rendered_guide: &rendered_guide, guide, is_volume: false, filtered: &filtered };
         upsample(b.frame, &inputs, |irradiance| irradiance)
     });
-    let irradiance = upsampled.as_ref().map_or(filtered, |upsampled| upsampled.iter().collect());
+    let restored = b.has("irradiance_history_0").then(|| restored(b, &filtered)).transpose()?;
+    let irradiance = upsampled.as_ref().or(restored.as_ref()).map_or(filtered, |images| images.iter().collect());
     let coat = b.optional_colour("specular_albedo")?;
     let albedo = with_coat(b.optional_colour("albedo")?, coat.filter(|_| !specular));
     let inputs = ModulateInputs {

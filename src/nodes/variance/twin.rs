@@ -5,7 +5,7 @@ use crate::reference::binary16::{store, store_signed};
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
 use crate::reference::geometry_weights::Geometry;
-use crate::reference::luminance_history::{join_luminance_history, pack_luminance_history, LuminanceHistory};
+use crate::reference::luminance_history::{join_luminance_history, pack_luminance_history, with_detail, LuminanceHistory};
 use crate::reference::rare_light::marked;
 use crate::reference::rules::{pixels, rare_light, rule, EXACT, HALF, TESTED_COUNTS};
 use crate::reference::{render_rect::RenderRect, Image};
@@ -46,7 +46,7 @@ pub(crate) struct VarianceInputs<'a> {
 #[cfg(test)]
 pub(crate) fn variance(frame: &FrameConstants, tuning: &Tuning, inputs: &VarianceInputs) -> Vec<Image<[f32; 4]>> {
     let geometry = Geometry::new(frame, tuning, inputs.guide);
-    estimate(frame, tuning, &geometry, inputs.irradiance, inputs.luminance_history, deviation, false).0
+    estimate(frame, tuning, &geometry, inputs.irradiance, inputs.luminance_history, deviation, false).images
 }
 
 fn deviation(
@@ -84,12 +84,21 @@ struct Estimated {
     is_repeated: bool,
     /// Few pixels of its window have its light; of the mean alone.
     rare: bool,
+    /// The share of what bends that the past does not explain as noise, where that is told; of the mean alone.
+    detail: Option<f32>,
 }
 
 impl From<f32> for Estimated {
     fn from(deviation: f32) -> Self {
-        Self { deviation, is_repeated: false, rare: false }
+        Self { deviation, is_repeated: false, rare: false, detail: None }
     }
+}
+
+/// Of every signal.
+struct Estimates {
+    images: Vec<Image<[f32; 4]>>,
+    luminance_history: Vec<Image<u32>>,
+    statistics: Statistics,
 }
 
 type Estimate = fn(&FrameConstants, &Tuning, &Geometry, &Image<LuminanceHistory>, IVec2) -> Estimated;
@@ -102,23 +111,27 @@ fn estimate(
     luminance_history: &[&Image<LuminanceHistory>],
     estimated: Estimate,
     is_marked: bool,
-) -> (Vec<Image<[f32; 4]>>, Statistics) {
+) -> Estimates {
     let repeated = AtomicU32::new(0);
     let signal = |(irradiance, luminance_history): (&&Image<[f32; 4]>, &&Image<LuminanceHistory>)| {
         Image::compute(geometry.extent(), frame.render_extent, |p| {
             let [r, g, b, _] = irradiance.at(p).map(store_signed);
+            let packed = pack_luminance_history(&luminance_history.at(p), p);
             if geometry.is_background(p) {
-                return [r, g, b, BACKGROUND_DEVIATION];
+                return ([r, g, b, BACKGROUND_DEVIATION], packed);
             }
-            let Estimated { deviation, is_repeated, rare } = estimated(frame, tuning, geometry, luminance_history, p);
+            let Estimated { deviation, is_repeated, rare, detail } = estimated(frame, tuning, geometry, luminance_history, p);
             repeated.fetch_add(is_repeated.into(), Ordering::Relaxed);
-            [r, g, b, store(if is_marked { marked(deviation, rare) } else { deviation })]
+            let alpha = store(if is_marked { marked(deviation, rare) } else { deviation });
+            ([r, g, b, alpha], detail.map_or(packed, |detail| with_detail(packed, detail)))
         })
     };
-    let images = irradiance.iter().zip(luminance_history).map(signal).collect();
+    let texels: Vec<Image<([f32; 4], u32)>> = irradiance.iter().zip(luminance_history).map(signal).collect();
+    let images = texels.iter().map(|image| image.map(|texel| texel.0)).collect();
+    let packed = texels.iter().map(|image| image.map(|texel| texel.1)).collect();
     let mut statistics = Statistics::default();
     statistics[Counter::RepeatedSample] = repeated.into_inner();
-    (images, statistics)
+    Estimates { images, luminance_history: packed, statistics }
 }
 
 /// Variance of the window, scaled by how short the history is.
@@ -147,6 +160,9 @@ fn spatial_variance(
 /// The root of a difference of moments: where the variance is next to 0, rounding decides it.
 const ESTIMATED: Tolerance = Tolerance { relative: 3e-3, absolute: 2e-3, ..HALF };
 
+/// The ratio of a mean square to another.
+const SHARE: Tolerance = Tolerance { relative: 0.0, absolute: 8e-3, outliers: 0.0 };
+
 /// Mean and deviation come rounded to halves: the rest is arithmetic of whole numbers.
 pub(crate) const RULES: &[Rule] = &[
     rule("statistics", Unit::Buffer, Reading::Counts, TESTED_COUNTS),
@@ -155,6 +171,8 @@ pub(crate) const RULES: &[Rule] = &[
     rare_light("estimate_0"),
     rule("luminance_history_0", Unit::Pixel, Reading::LuminanceHistory, EXACT),
     rule("luminance_history_1", Unit::Pixel, Reading::LuminanceHistory, EXACT),
+    rule("luminance_history_0", Unit::Pixel, Reading::Detail, SHARE),
+    rule("luminance_history_1", Unit::Pixel, Reading::Detail, SHARE),
 ];
 
 /// Runs the stage on the bindings of a pass.
@@ -174,7 +192,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let (irradiance, new_luminance) = (b.colours("irradiance")?, b.uints("new_luminance")?);
     let luminance_history: Vec<_> =
         irradiance.iter().zip(new_luminance).map(|(irradiance, new)| join_luminance_history(irradiance, new)).collect();
-    let (images, statistics) = estimate(
+    let Estimates { images, luminance_history, statistics } = estimate(
         b.frame,
         b.tuning,
         &geometry,
@@ -185,8 +203,5 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     );
     b.count(&statistics)?;
     b.write_signals("estimate", images)?;
-    let packed = luminance_history
-        .iter()
-        .map(|image| Image::compute(image.extent(), b.frame.render_extent, |p| pack_luminance_history(&image.at(p), p)));
-    b.write_signals("luminance_history", packed.collect())
+    b.write_signals("luminance_history", luminance_history)
 }

@@ -111,7 +111,9 @@ nodes! {
             value sigma_l, value sigma_n, value sigma_z
         };
         eaw(port guides, port irradiance) Eaw { number levels, weights weights, choice sampling, optional feedback };
-        modulate(port guides, port filtered) Modulate { flag albedo, flag mixed, flag specular, flag emission, flag float_output };
+        modulate(port guides, port filtered) Modulate {
+            flag albedo, flag mixed, flag specular, flag emission, flag float_output, optional detail
+        };
         tone_map(port denoised);
         temporal_upscale(port guides, port radiance) TemporalUpscale { flag tone_mapped };
         volume();

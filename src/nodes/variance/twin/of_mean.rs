@@ -86,16 +86,20 @@ pub(super) fn deviation_of_mean(
     let rect = RenderRect::new(frame.render_extent);
     let around = surroundings(frame, geometry, luminance_history, p);
     let mean_at = |q: IVec2| luminance_history.at(q).mean;
-    let noise = around.noise.min(noise_of(rect, geometry, &mean_at, p).unwrap_or(f32::INFINITY));
+    let bends = noise_of(rect, geometry, &mean_at, p);
+    let noise = around.noise.min(bends.unwrap_or(f32::INFINITY));
     let white = Whiteness::new(rect, geometry, &mean_at, p);
     let centre = luminance_history.at(p);
     let told = if centre.outside.is_some() { (MOST_OF_PAST * around.past / noise.max(1e-20)).min(1.0) } else { 1.0 };
+    let detail =
+        bends.and(centre.outside).map(|_| (1.0 - around.past / noise.max(1e-20)).max(-1.0)).filter(|detail| *detail > -1.0);
     let (counted, whole) = (white.counted * told, white.whole * told);
     let within = around.within * counted;
     deviation(
         tuning,
         centre,
         Surroundings { within, noise: noise * counted, seen: noise * whole, log_noise: white.log_noise, ..around },
+        detail,
     )
 }
 
@@ -145,10 +149,10 @@ pub(super) fn deviation_of_filled_mean(
 ) -> Estimated {
     let around = surroundings(frame, geometry, luminance_history, p);
     let noise = FILLED_NOISE * around.noise;
-    deviation(tuning, luminance_history.at(p), Surroundings { noise, seen: noise, ..around })
+    deviation(tuning, luminance_history.at(p), Surroundings { noise, seen: noise, ..around }, None)
 }
 
-fn deviation(tuning: &Tuning, centre: LuminanceHistory, around: Surroundings) -> Estimated {
+fn deviation(tuning: &Tuning, centre: LuminanceHistory, around: Surroundings, detail: Option<f32>) -> Estimated {
     let frames = (centre.history_length / tuning.sample_frames).max(1.0);
     let share = (tuning.spatial_variance_frames / frames).min(1.0);
     let spatial = (around.within + around.noise) * share * (1.0 + around.doubt() / frames);
@@ -156,7 +160,7 @@ fn deviation(tuning: &Tuning, centre: LuminanceHistory, around: Surroundings) ->
     let averaging = (1.0 / frames).max(tuning.sample_frames * tuning.alpha / (2.0 - tuning.alpha)).min(1.0);
     let (known, seen) = (of_sample * averaging, SEEN_NOISE * around.seen);
     let is_repeated = centre.history_length >= SETTLED_FRAMES && seen > REPEATED_NOISE * known;
-    Estimated { deviation: known.max(seen).sqrt(), is_repeated, rare: around.rare }
+    Estimated { deviation: known.max(seen).sqrt(), is_repeated, rare: around.rare, detail }
 }
 
 /// With the structure that they show.

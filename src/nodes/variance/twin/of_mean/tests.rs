@@ -113,6 +113,24 @@ fn a_sample_within_its_past_is_little_noise() {
     assert_eq!(seen(Some(UNIFORM)), root_mean_square(&deviations(&flat(), &noise(EXTENT, 5).map(|t| of(0.5 + t[0], 0.0, 1.0)))));
 }
 
+/// The mean share of what bends that is told to be no noise; `None` where no pixel tells it.
+fn detail(luminance_history: &Image<LuminanceHistory>) -> Option<f32> {
+    let told: Vec<f32> = with_sample_frames(luminance_history, 1.0).iter().filter_map(|estimate| estimate.detail).collect();
+    (!told.is_empty()).then(|| told.iter().sum::<f32>() / told.len() as f32)
+}
+
+#[test]
+fn what_bends_beyond_its_past_is_detail() {
+    let grain = |outside, length| noise(EXTENT, 5).map(|t| LuminanceHistory { outside, ..of(0.5 + t[0], 0.0, length) });
+    let told = |outside| detail(&grain(Some(outside), 1.0)).expect("a history of one frame");
+    assert!(told(0.1 * UNIFORM) > 0.95, "{}", told(0.1 * UNIFORM));
+    assert!((0.6..0.8).contains(&told(0.5 * UNIFORM)), "{}", told(0.5 * UNIFORM));
+    assert!(told(UNIFORM) < 0.1, "{}", told(UNIFORM));
+    assert!(told(1.2 * UNIFORM) < -0.2, "{}", told(1.2 * UNIFORM));
+    // Where the past is longer, or where there is none, nothing is told.
+    assert_eq!([detail(&grain(None, 1.0)), detail(&grain(None, 12.0))], [None; 2]);
+}
+
 /// A highlight of a few pixels, 200 times as bright as the surface.
 fn highlight(x: i32, y: i32) -> f32 {
     let (dx, dy) = (x as f32 - 20.0, y as f32 - 24.0);
