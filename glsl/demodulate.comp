@@ -71,12 +71,15 @@ layout(set = 0, binding = CANDIDATES) uniform utexture2D candidates;
 
 #include "divisor.glsl"
 
+// Where a host does not know a distance, as where it has none at all.
+const float UNKNOWN_HIT = -1.0;
+
 // How far away is what is seen in a surface, so that a half float holds it.
 float hit_distance_at(ivec2 p) {
     if (!is_present(SPECULAR_HIT_DISTANCE) || guide_depth(GuideBits(texelFetch(guide, p, 0))) == 0.0) return 0.0;
     float distance = texelFetch(specular_hit_distance, host_pixel(SPECULAR_HIT_DISTANCE, p), 0).x;
     if (is_nan(distance) || distance < 0.0) {
-        count_bad(BAD_HIT_DISTANCE);
+        if (distance != UNKNOWN_HIT) count_bad(BAD_HIT_DISTANCE);
         return 0.0;
     }
     return distance == 0.0 ? FARTHEST_HIT : clamp(distance, 1.0 / 16384.0, FARTHEST_HIT);

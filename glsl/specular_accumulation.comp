@@ -126,6 +126,8 @@ const float NEAREST_REACH = 0.125;
 
 // Of the difference between the reach of a past and that of a pixel, whose own may be chance at an edge.
 const float OWN_DIFFERENCE = 0.35;
+// The least that a tap counts which shows another thing.
+const float LEAST_LIKE = 1e-3;
 // Standard deviations of a past that are noise; twice as many are another thing.
 const float NOISE_OF_PAST = 2.0;
 
@@ -201,10 +203,29 @@ float likeness(Centre c, ivec2 tap) {
     return SHARP ? normal_likeness(guide_normal(GuideBits(texelFetch(previous_guide, tap, 0))), c.expected) : 1.0;
 }
 
+// What is seen in a surface, and how much less a tap counts that shows something else, in powers of e per squared difference of reach.
+struct Thing {
+    float reach;
+    float sharpness;
+};
+
+const Thing ANY_THING = Thing(0.0, 0.0);
+
+Thing thing_of(float reach, float roughness) {
+    float width = 0.05 + lobe_width(roughness);
+    return Thing(reach, 2.0 * mirror_share(roughness) / (width * width));
+}
+
+float likeness_of(Thing thing, float reach) {
+    float other = reach - thing.reach;
+    return max(exp(-other * other * thing.sharpness), LEAST_LIKE);
+}
+
 // The tested 2x2 taps around a position, as a mean.
-Past past_at(Centre c, vec2 position) {
+Past past_at(Centre c, vec2 position, Thing thing) {
     Past sum = nothing();
-    float whole = 0.0, weights = 0.0;
+    // Of taps; as far as they show the same thing; and the same surface.
+    float whole = 0.0, alike = 0.0, weights = 0.0;
     [[dont_unroll]] for (int i = 0; i < 4; ++i) {
         vec2 centre = floor(position) + vec2(i & 1, i >> 1), tent = 1.0 - abs(position - centre);
         ivec2 tap = ivec2(centre);
@@ -213,14 +234,17 @@ Past past_at(Centre c, vec2 position) {
         whole += weight;
         LuminanceHistory m = unpack_luminance_history(texelFetch(previous_luminance_history, tap, 0).x);
         if (weight >= LEAST_IN_RANGE) widen_range(sum.light, m.mean);
-        weight *= likeness(c, tap);
         uint packed = texelFetch(previous_reflection, tap, 0).x;
         Reflection r = unpack_reflection(packed);
         float image_share = unpack_image_share(packed);
+        float reach = reach_of(c.depth, r.hit_distance);
+        weight *= likeness_of(thing, reach);
+        alike += weight;
+        weight *= likeness(c, tap);
         weights += weight;
         sum.frames += weight * m.history_length;
         sum.nearness += weight * nearness_of(c.depth, r.hit_distance);
-        sum.reach += weight * reach_of(c.depth, r.hit_distance);
+        sum.reach += weight * reach;
         sum.roughness += weight * r.roughness;
         sum.image_share += weight * (image_share == NO_PAST ? CHANCE_AT_FIRST : image_share);
         add_history(sum.light, texelFetch(history, tap, 0).rgb, m, c.origin, weight);
@@ -228,7 +252,7 @@ Past past_at(Centre c, vec2 position) {
     if (whole < SMALLEST_WEIGHT_SUM) return nothing();
     float scale = 1.0 / weights;
     History light = History(sum.light.irradiance * scale, sum.light.mean * scale, sum.light.second_moment * scale, sum.light.range);
-    return Past(true, sum.frames / whole, sum.nearness * scale, sum.reach * scale, sum.roughness * scale, sum.image_share * scale, light);
+    return Past(true, sum.frames / alike, sum.nearness * scale, sum.reach * scale, sum.roughness * scale, sum.image_share * scale, light);
 }
 
 // Irradiance by the cubic; false where one of 4x4 taps that count is another surface, or the position lies on a pixel.
@@ -309,13 +333,15 @@ float steadiness_of(Centre c, float radius, vec2 image_position) {
 }
 
 // The better of two pasts, or a blend of both, in the light of this frame; its frames are what it is worth. `hit_distance`: of this frame, then with its past.
-// `reaches`: see hit_distance_now. `image_share`: of the blend, from where the image was; how likely that is where nobody knows the distance.
+// `unknown`: the roughness with which an unknown distance is tried. `reaches`: see hit_distance_now. `image_share`: of the blend, from where the image was; how likely that is where nobody knows the distance.
 // `steadiness`: see steadiness_of.
-Past best_past(Centre c, float roughness, float explained, vec2 reaches, inout float hit_distance, out float image_share, out float steadiness) {
-    Past surface = past_at(c, c.mirror.surface_position);
+Past best_past(Centre c, float roughness, float unknown, float explained, vec2 reaches, inout float hit_distance, out float image_share, out float steadiness) {
     float here = reach_of(c.depth, hit_distance);
     float radius = lobe_radius(c.depth, Reflection(hit_distance, roughness));
     bool is_known = hit_distance > 0.0;
+    Thing thing = ANY_THING;
+    if (is_known && !MIXED) thing = thing_of(here, roughness);
+    Past surface = past_at(c, c.mirror.surface_position, thing);
     if (surface.found && surface.nearness > 0.0 && is_known) {
         // A lobe that covers pixels is blurred anyway, and its hits are noisy.
         float share = radius * radius / (1.0 + radius * radius) * surface.frames / (1.0 + surface.frames);
@@ -323,7 +349,7 @@ Past best_past(Centre c, float roughness, float explained, vec2 reaches, inout f
     }
     Reflection seen = Reflection(hit_distance, roughness);
     // What nobody knows is tried as a mirror, and the light of now tells.
-    if (!is_known) seen = Reflection(UNKNOWN_REACH * c.depth, MIXED || is_present(ROUGHNESS) ? roughness : 0.0);
+    if (!is_known) seen = Reflection(UNKNOWN_REACH * c.depth, unknown);
     Curvature curvature = curvature_at(c.mirror);
     float share = mirror_share(seen.roughness);
     float tolerance = SHARPEST + 0.5 * lobe_radius(c.depth, Reflection(mirror_image_distance(seen.hit_distance, curvature.mean), seen.roughness));
@@ -355,7 +381,7 @@ Past best_past(Centre c, float roughness, float explained, vec2 reaches, inout f
         float least = min(moved, distance(nearest, c.mirror.surface_position));
         steadiness = found && !MIXED ? share * steadiness_of(c, radius, position) : 0.0;
         // Of mixed light a lookup at the same place would blur the sharp one beside it.
-        if (in_lobe && (!MIXED || moved > STILL)) image = past_at(c, position);
+        if (in_lobe && (!MIXED || moved > STILL)) image = past_at(c, position, before.followed ? ANY_THING : thing);
         // Of mixed light, each past is off for the part of the other, and no lobe blurs what is diffuse.
         if (found) surface.frames = worth(surface.frames, mirrored * least, tolerance);
         float off = (1.0 - mirrored) * moved / SHARPEST + mirrored * distance(position, nearest) / tolerance;
@@ -364,7 +390,7 @@ Past best_past(Centre c, float roughness, float explained, vec2 reaches, inout f
         steadiness = 0.0;
         bool moves = found && moved > STILL;
         if (surface.found) chance = image_chance(c, moves, position, surface);
-        if (moves && (!surface.found || chance > UNLIKELY)) image = past_at(c, position);
+        if (moves && (!surface.found || chance > UNLIKELY)) image = past_at(c, position, before.followed ? ANY_THING : thing);
         bool both = surface.found && image.found;
         if (surface.found) surface.frames = (both ? 1.0 - chance : 1.0) * frames_by_light(c, c.mirror.surface_position, surface, AGREES_WIDEST, true);
         if (image.found) image.frames = (both ? chance : 1.0) * frames_by_light(c, position, image, AGREES_WIDEST, true);
@@ -422,7 +448,9 @@ void main() {
     if (!is_inside(p)) return;
     GuideBits packed = GuideBits(packed_at(guide, p));
     vec4 value = texelFetch(noisy, p, 0);
-    float rough = roughness_of(is_present(ROUGHNESS) ? stored_roughness(texelFetch(roughness, host_pixel(ROUGHNESS, guide_pixel(p)), 0)) : 1.0);
+    float stored = UNKNOWN_ROUGHNESS;
+    if (is_present(ROUGHNESS)) stored = stored_roughness(texelFetch(roughness, host_pixel(ROUGHNESS, guide_pixel(p)), 0));
+    float rough = roughness_of(stored);
     bool background = guide_depth(packed) == 0.0;
     float worth = sample_worth(value.a);
     LuminanceHistory luminance_history = first_luminance(value.rgb, worth, background ? REASON_NONE : REASON_RESET);
@@ -441,7 +469,8 @@ void main() {
         if (MIXED) seen.roughness = mixed_roughness(c.depth, seen, explained);
         if (!has_flag(FLAG_RESET)) {
             float share, steadiness;
-            Past past = best_past(c, seen.roughness, explained, reaches, seen.hit_distance, share, steadiness);
+            float unknown = MIXED || stored != UNKNOWN_ROUGHNESS ? seen.roughness : 0.0;
+            Past past = best_past(c, seen.roughness, unknown, explained, reaches, seen.hit_distance, share, steadiness);
             luminance_history = first_luminance(value.rgb, worth, REASON_DEPTH);
             if (past.found) {
                 image_share = share;

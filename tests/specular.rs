@@ -30,11 +30,14 @@ fn out_of_range() {
         frame(&mut good, &guides, &scene.params(0), &tuning);
         let mut spoilt = guides.clone();
         if i == 2 {
-            for (k, (roughness, distance)) in [(f32::NAN, f32::NAN), (1.5, -1.0), (-0.1, f32::NEG_INFINITY)].into_iter().enumerate()
+            for (k, (roughness, distance)) in [(f32::NAN, f32::NAN), (1.5, -2.0), (-0.1, f32::NEG_INFINITY)].into_iter().enumerate()
             {
                 spoilt.roughness[pixel + k] = [roughness; 4];
                 spoilt.specular_hit_distance[pixel + k] = [distance; 4];
             }
+            // What is not known is not bad.
+            spoilt.roughness[pixel + 5] = [-1.0; 4];
+            spoilt.specular_hit_distance[pixel + 5] = [-1.0; 4];
         }
         let (_, denoised) = frame(&mut bad, &spoilt, &scene.params(0), &tuning);
         assert!(denoised.iter().flatten().all(|x| x.is_finite()), "frame {i}");

@@ -28,9 +28,9 @@ choices! {
         ForwardMotion = 6 => "forward_motion",
         /// A scattering depth that is NaN.
         ScatteringDepth = 7 => "scattering_depth",
-        /// A roughness that is not finite or not from 0 to 1, on a surface.
+        /// A roughness that is not finite or not from 0 to 1, on a surface, and not −1.
         Roughness = 8 => "roughness",
-        /// A hit distance that is NaN or negative, on a surface.
+        /// A hit distance that is NaN or negative, on a surface, and not −1.
         HitDistance = 9 => "hit_distance",
         /// A visibility that is not finite, or outside 0 to 1, on a surface.
         Visibility = 10 => "visibility",

@@ -95,7 +95,7 @@ pub(crate) fn detail_of(packed: u32) -> Option<f32> {
     (packed & 511 == DETAIL_CODE).then(|| (packed >> 9 & 1023) as f32 / DETAIL_STEPS - 1.0)
 }
 
-/// The content of a texel of `luminance_history*`, but for [`detail_of`].
+/// The content of a texel of `luminance_history*`, but for the detail around the pixel.
 pub fn unpack_luminance_history(packed: u32) -> LuminanceHistory {
     let (history_length, reason) = match packed & 511 {
         0 => (0.0, 0),

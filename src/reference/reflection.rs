@@ -8,6 +8,9 @@ use crate::FrameConstants;
 /// Hit distance that stands for what is beyond the scene.
 pub(crate) const FARTHEST_HIT: f32 = 65504.0;
 
+/// The distance where a host does not know it, as where it has none at all.
+pub(crate) const UNKNOWN_HIT: f32 = -1.0;
+
 /// A pixel of `reflection*`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct SeenReflection {
@@ -39,14 +42,18 @@ pub(crate) fn unpack_image_share(texel: u32) -> Option<f32> {
     (texel >> 26).checked_sub(1).map(|steps| steps as f32 / SHARE_STEPS)
 }
 
+/// The roughness where a host does not know it, as where it has none at all.
+pub(crate) const UNKNOWN_ROUGHNESS: f32 = -1.0;
+
 /// Whether a host's roughness is in range.
 pub(crate) fn is_roughness(stored: f32) -> bool {
-    (0.0..=1.0).contains(&stored)
+    stored == UNKNOWN_ROUGHNESS || (0.0..=1.0).contains(&stored)
 }
 
-/// Perceptual roughness of a host's; what is not finite is rough.
+/// Perceptual roughness of a host's; what is not known or not finite is rough.
 pub(crate) fn roughness_of(frame: &FrameConstants, stored: f32) -> f32 {
-    let roughness = if stored.is_finite() { stored.clamp(0.0, 1.0) } else { 1.0 };
+    let is_known = stored.is_finite() && stored != UNKNOWN_ROUGHNESS;
+    let roughness = if is_known { stored.clamp(0.0, 1.0) } else { 1.0 };
     if roughness_is_alpha(frame) {
         roughness.sqrt()
     } else {

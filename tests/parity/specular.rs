@@ -29,15 +29,26 @@ pub fn by_f0() {
     assert_valid();
 }
 
-/// Neither hit distances nor roughness, as Blender has them: images are sought at infinity.
+/// Neither hit distances nor roughness, as Blender has them: images are sought at infinity. In the end the roughness of half of the picture is known.
 pub fn unknown_distances() {
     let config = Config { signals: Signals::Specular, preset: Preset::Best, ..Config::new([40, 23]) };
     let scene = Scene { speed: 0.12, ..Scene::new([40, 23]) };
     let mut s = session_with(&config, SessionOptions { poison: true, keep_transients: true, ..Default::default() });
-    for i in 0..5 {
-        upload(&mut s, &scene.frame(i, i));
-        for name in ["roughness", "specular_hit_distance"] {
-            s.unbind(name).expect("optional");
+    for i in 0..7 {
+        let mut guides = scene.frame(i, i);
+        guides.roughness.iter_mut().enumerate().filter(|(p, _)| p % 40 < 20).for_each(|(_, roughness)| *roughness = [-1.0; 4]);
+        guides
+            .specular_hit_distance
+            .iter_mut()
+            .enumerate()
+            .filter(|(p, _)| p % 7 < 5)
+            .for_each(|(_, distance)| *distance = [-1.0; 4]);
+        upload(&mut s, &guides);
+        if i < 6 {
+            s.unbind("specular_hit_distance").expect("optional");
+        }
+        if i < 5 {
+            s.unbind("roughness").expect("optional");
         }
         run(&mut s, &scene.params(i), &Tuning::for_preset(config.preset));
     }

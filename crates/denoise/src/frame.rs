@@ -43,6 +43,8 @@ pub struct FrameInputs {
     pub instance_transforms: Option<Vec<InstanceTransform>>,
     /// Surface ids.
     pub surface_id: Option<Vec<u32>>,
+    /// Depth of what is seen through flat glass, where there is some.
+    pub through: Option<Vec<Option<f32>>>,
     /// Classes of materials.
     pub material_class: Option<Vec<u32>>,
     /// Surface ids of what is seen in the surfaces.
@@ -90,7 +92,12 @@ pub fn load(files: &FrameFiles, setup: &Setup) -> Result<FrameInputs> {
         *texels = smooth(texels, setup.config.allocated_extent[0] as usize);
     }
     let negative = if setup.is_verbatim() { 0 } else { even_out(&mut images, setup) };
+    let params = FrameParams { light_offset: setup.light_offset(files.number), ..params(setup, camera) };
     let (surface_id, hit_id) = (channels.surface_ids(&images), channels.hit_ids(&images));
+    let through = match (&surface_id, camera) {
+        (Some(ids), Some(_)) => channels.follow_paths(&params, ids, &mut images),
+        _ => None,
+    };
     let occluder_ids = std::array::from_fn(|light| channels.occluder_ids(&images, light));
     let noisy = channels.total(&images);
     let alpha = channels.scalars(Role::Alpha);
@@ -113,11 +120,12 @@ pub fn load(files: &FrameFiles, setup: &Setup) -> Result<FrameInputs> {
     let mut inputs = FrameInputs {
         number: files.number,
         index: camera.map_or(files.number / setup.step, |camera| camera.index),
-        params: FrameParams { light_offset: setup.light_offset(files.number), ..params(setup, camera) },
+        params,
         tuning: setup.tuning(files.number)?,
         instance_transforms: transforms(&files.colour)?,
         images,
         surface_id,
+        through,
         material_class,
         hit_id,
         occluder_ids,

@@ -3,11 +3,14 @@
 use crate::camera::Camera;
 use crate::exr_read::Samples;
 use crate::layouts::Layout;
+use crate::paths::{self, Paths};
+use crate::projection::Projection;
+use crate::raster::Raster;
 use crate::roles::Role;
 use crate::setup::Setup;
 use crate::transmission::{behind, is_black, Transmission};
 use atrous::config::{DepthEncoding, MotionDepth, NormalSpace, Signals, ViewForward};
-use atrous::Input;
+use atrous::{FrameParams, Input};
 use std::collections::BTreeMap;
 
 /// Texels of an image.
@@ -198,6 +201,27 @@ impl Channels<'_> {
             _ => std::array::from_fn(|c| (all[i][c].min(1.0) - coat[i][c]).max(base[i][c])),
         };
         Some((0..all.len()).map(of_pixel).collect())
+    }
+
+    /// Adds what is seen in mirrors to the images. Returns the depth of what is seen through flat glass. Neither where lines of sight are parallel.
+    pub fn follow_paths(
+        &mut self,
+        params: &FrameParams,
+        ids: &[u32],
+        images: &mut BTreeMap<&'static str, Texels>,
+    ) -> Option<Vec<Option<f32>>> {
+        let lengths = self.scalars(Role::PathLength)?;
+        let lengths: Vec<f32> = lengths.into_iter().map(|length| length * self.setup.scales.depth).collect();
+        let (base, coat) = (self.vectors(Role::DiffuseColour)?, self.vectors(Role::SpecularAlbedo)?);
+        let transmits = Transmission::new(self.setup, ids, &base, images)?.pixels();
+        let raster = Raster::new(self.setup.config.allocated_extent);
+        let camera = Projection::new(params, params, &self.setup.config.conventions);
+        let paths = camera.is_perspective().then(|| Paths::new(raster, camera, &lengths, ids, &base, images)).flatten()?;
+        let (mirrors, through) = (paths.mirrors(&transmits, &coat), paths.through(&transmits));
+        if self.setup.config.signals == Signals::Specular {
+            paths::add_mirrors(images, mirrors);
+        }
+        Some(through)
     }
 
     /// The previous frame's samples in the scene of this frame; absent in the first frame.

@@ -93,6 +93,7 @@ pub const ENTRIES: &[Entry] = &[
     of(Role::SpecularAlbedo, Input::SPECULAR_ALBEDO, RGB),
     of(Role::HitDistance, Input::SPECULAR_HIT_DISTANCE, DEPTH),
     of(Role::HitId, Input::SPECULAR_HIT_ID, ID),
+    entry(Role::PathLength, &[Blender], &["denoising depth"], DEPTH),
     of(Role::HitMotion, Input::SPECULAR_MOTION, XYZ),
     entry(Role::DemodulatedSpecularDirect, &[Blender], &["glossdir", "glossy direct"], RGB),
     entry(Role::DemodulatedSpecularIndirect, &[Blender], &["glossind", "glossy indirect"], RGB),

@@ -38,7 +38,7 @@ impl<'a> Loader<'a> {
     pub fn load(&mut self, files: &FrameFiles) -> Result<FrameInputs> {
         let mut inputs = frame::load(files, self.setup)?;
         let averages = unfiltered::is_averaged(&inputs, self.setup);
-        if averages || self.setup.carries_depth {
+        if averages || self.setup.carries_depth || inputs.through.is_some() {
             self.carry(&mut inputs, averages);
         }
         blacken_rims(&mut inputs, self.setup);
@@ -49,6 +49,7 @@ impl<'a> Loader<'a> {
     fn carry(&mut self, inputs: &mut FrameInputs, averages: bool) {
         let previous = self.previous.take().filter(|(number, ..)| number + self.setup.step == inputs.number);
         let before = previous.as_ref().map_or(inputs.params, |(_, params, _)| *params);
+        motion::see_through(inputs, &before, &without_depth(self.setup));
         let surface = motion::of_frame(inputs, &before, &without_depth(self.setup));
         if previous.is_none() || inputs.params.reset.is_some() || inputs.params.exposure_ratio != 1.0 {
             self.averages.reset();

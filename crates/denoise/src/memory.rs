@@ -165,6 +165,7 @@ fn images(setup: &Setup) -> u64 {
         Role::Roughness,
         Role::SpecularAlbedo,
         Role::HitDistance,
+        Role::PathLength,
         Role::HitMotion,
         Role::Ambient,
         Role::AmbientDistance,

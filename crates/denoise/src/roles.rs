@@ -27,6 +27,8 @@ pub enum Role {
     HitDistance,
     /// [`Role::Id`] of what is seen in it.
     HitId,
+    /// Length of the way from the eye that goes on at mirrors and through glass, to the first surface that is neither.
+    PathLength,
     /// Where that thing was, minus where it is.
     HitMotion,
     /// Emitters and environment seen directly, without noise.
@@ -139,6 +141,7 @@ const ROLES: &[(Role, &str, Kind, &str)] = &[
     (Role::SpecularAlbedo, "specular_albedo", Kind::Colour, ""),
     (Role::HitDistance, "hit_distance", Kind::Scalar, ""),
     (Role::HitId, "hit_id", Kind::Id, ""),
+    (Role::PathLength, "path_length", Kind::Scalar, ""),
     (Role::HitMotion, "specular_motion", Kind::Vector, ""),
     (Role::Emission, "emission", Kind::Colour, "lights and sky are filtered with everything else instead of passing through"),
     (Role::Environment, "environment", Kind::Colour, ""),

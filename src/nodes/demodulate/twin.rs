@@ -7,7 +7,7 @@ use crate::reference::guide::{unpack_guide, Surface};
 use crate::reference::holes::{fill_holes, FillHolesInputs, HOLE};
 use crate::reference::kept_radiance::{exposed, finite_radiance, is_finite, is_saturated, kept_radiance, pack_halves};
 use crate::reference::luminance::luminance;
-use crate::reference::reflection::FARTHEST_HIT;
+use crate::reference::reflection::{FARTHEST_HIT, UNKNOWN_HIT};
 use crate::reference::rules::{pixels, rounded, rule, HALF, STATISTICS};
 use crate::reference::specular_albedo::SpecularF0;
 use crate::reference::statistics::count;
@@ -143,6 +143,7 @@ pub(crate) fn with_coat<'a>(
 /// A hit distance as half floats hold it, and whether it was bad.
 fn stored_hit_distance(distance: f32) -> (f32, bool) {
     match distance {
+        UNKNOWN_HIT => (0.0, false),
         d if d.is_nan() || d < 0.0 => (0.0, true),
         0.0 => (FARTHEST_HIT, false),
         d => (d.clamp(1.0 / 16384.0, FARTHEST_HIT), false),

@@ -42,7 +42,7 @@ pub(crate) struct ImportInputs<'a> {
     pub surface_id: Option<&'a Image<u32>>,
     /// Linear reflectance, which light is divided by.
     pub albedo: Option<&'a Image<[f32; 4]>>,
-    /// Roughness, 0 to 1, in the channel of the conventions.
+    /// Roughness, 0 to 1, or −1 where it is not known, in the channel of the conventions.
     pub roughness: Option<&'a Image<[f32; 4]>>,
     /// Transforms of the host's instances by surface id; instances beyond the end, and those with an entry that is not finite, did
     /// not move.

@@ -12,7 +12,7 @@ use crate::reference::luminance::{luminance, texel_luminance};
 use crate::reference::luminance_history::{luminance_history_of, split_luminance_history, LuminanceHistory, Reason};
 use crate::reference::material::{classes_beyond, tuning_at};
 use crate::reference::reflection::{
-    hit_distance_of, lobe_radius, mixed_roughness, pack_reflection, reach, roughness_of, SeenReflection,
+    hit_distance_of, lobe_radius, mixed_roughness, pack_reflection, reach, roughness_of, SeenReflection, UNKNOWN_ROUGHNESS,
 };
 use crate::reference::rules::{pixels, rule, STATISTICS};
 use crate::reference::scenery::Instances;
@@ -157,7 +157,8 @@ impl Scene<'_> {
     fn accumulated(&self, p: IVec2) -> ([f32; 4], LuminanceHistory, SeenReflection, Option<f32>, [bool; 2]) {
         let [r, g, b, own_distance] = self.inputs.noisy.at(p);
         let stored = self.inputs.roughness.map(|image| image.at(self.frame.guide_pixel(p))[roughness_channel(self.frame)]);
-        let roughness = roughness_of(self.frame, stored.unwrap_or(1.0));
+        let stored = stored.unwrap_or(UNKNOWN_ROUGHNESS);
+        let roughness = roughness_of(self.frame, stored);
         let surface = self.motion.surfaces.at(p);
         let noisy = [r, g, b, own_distance];
         let with = |(texel, luminance_history), seen, share| (texel, luminance_history, seen, share, [false; 2]);
@@ -174,7 +175,8 @@ impl Scene<'_> {
         if is_reset(self.frame) {
             return with(fresh(noisy, Reason::Reset), seen, None);
         }
-        let best = self.best_past(&c, &mut seen, reaches, explained);
+        let unknown = if self.inputs.is_mixed || stored != UNKNOWN_ROUGHNESS { seen.roughness } else { 0.0 };
+        let best = self.best_past(&c, &mut seen, unknown, reaches, explained);
         let (texel, luminance_history) = best.as_ref().map_or(fresh(noisy, Reason::Depth), |best| self.blend(p, noisy, best));
         let instances = &self.inputs.instances;
         let is_bad = [

@@ -17,6 +17,7 @@ mod name_tests;
 #[cfg(unix)]
 mod odd_files;
 mod output_tests;
+mod path_tests;
 mod reading;
 mod resume_tests;
 mod runs;

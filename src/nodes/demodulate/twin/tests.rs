@@ -156,9 +156,9 @@ fn outside_the_render_extent_nothing_is_read() {
 
 #[test]
 fn hit_distances_stand_in_alpha_and_bad_ones_are_counted() {
-    let extent = [6, 1];
+    let extent = [7, 1];
     let guides = guides(extent, |x, _| surface(if x == 5 { 0.0 } else { 4.0 }));
-    let given = [0.0, 2.5, f32::NAN, -1.0, f32::INFINITY, f32::NAN];
+    let given = [0.0, 2.5, f32::NAN, -2.0, f32::INFINITY, f32::NAN, -1.0];
     let (noisy, distances) = (Image::new(extent, [1.0; 4]), paint(extent, |x, _| [given[x as usize]; 4]));
     let inputs = DemodulateInputs {
         guide: &guides.guide,
@@ -171,8 +171,8 @@ fn hit_distances_stand_in_alpha_and_bad_ones_are_counted() {
     };
     let output = demodulate(&frame(extent), &Tuning::default(), &inputs);
     let stored: Vec<f32> = output.irradiance[0].texels().iter().map(|texel| texel[3]).collect();
-    assert_eq!(stored, [FARTHEST_HIT, 2.5, 0.0, 0.0, FARTHEST_HIT, 0.0]);
-    assert_eq!(output.statistics[Counter::HitDistance], 2, "the background has no hit");
+    assert_eq!(stored, [FARTHEST_HIT, 2.5, 0.0, 0.0, FARTHEST_HIT, 0.0, 0.0]);
+    assert_eq!(output.statistics[Counter::HitDistance], 2, "the background has no hit, and -1 says that none is known");
 }
 
 #[test]

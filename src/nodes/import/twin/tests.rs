@@ -203,17 +203,18 @@ fn equal_differences_of_opposite_sign_take_the_forward_one() {
 
 #[test]
 fn ids_reach_the_guide_and_bad_roughness_is_counted() {
-    let (depth, normal) = (Image::new([4, 1], [1.0; 4]), up([4, 1]));
-    let given = [0.2, -3.0, 7.0, f32::NAN];
-    let roughness = paint([4, 1], |x, _| [given[x as usize]; 4]);
-    let ids = paint([4, 1], |x, _| 254 + x as u32);
+    let (depth, normal) = (Image::new([5, 1], [1.0; 4]), up([5, 1]));
+    // -1 is not known, and not bad.
+    let given = [0.2, -3.0, 7.0, f32::NAN, -1.0];
+    let roughness = paint([5, 1], |x, _| [given[x as usize]; 4]);
+    let ids = paint([5, 1], |x, _| 254 + x as u32);
     let full = ImportInputs { roughness: Some(&roughness), surface_id: Some(&ids), ..ImportInputs::new(&depth, &normal) };
-    let imported = import(&frame([4, 1]), &full);
+    let imported = import(&frame([5, 1]), &full);
     for (i, texel) in imported.guide.texels().iter().enumerate() {
         assert_eq!(unpack_guide(*texel).id, fold_id(254 + i as u32));
     }
     assert_eq!(imported.statistics[Counter::Roughness], 3);
-    let bare = import(&frame([4, 1]), &ImportInputs::new(&depth, &normal)).guide.map(|t| unpack_guide(*t));
+    let bare = import(&frame([5, 1]), &ImportInputs::new(&depth, &normal)).guide.map(|t| unpack_guide(*t));
     assert!(bare.texels().iter().all(|s| s.id == 1));
 }
 

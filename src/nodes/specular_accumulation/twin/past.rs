@@ -40,6 +40,8 @@ const NEAREST_REACH: f32 = 0.125;
 
 /// Of the difference between the reach of a past and that of a pixel, whose own may be chance at an edge.
 const OWN_DIFFERENCE: f32 = 0.35;
+/// The least that a tap counts which shows another thing.
+const LEAST_LIKE: f32 = 1e-3;
 /// Standard deviations of a past that are noise; twice as many are another thing.
 const NOISE_OF_PAST: f32 = 2.0;
 
@@ -73,6 +75,30 @@ pub(super) struct BestPast {
     pub image_share: f32,
     /// How sure it is that it shows what is seen now.
     pub steadiness: f32,
+}
+
+/// What is seen in a surface.
+#[derive(Clone, Copy)]
+struct Thing {
+    reach: f32,
+    /// Per squared difference of reach, in powers of e; 0: all things are alike.
+    sharpness: f32,
+}
+
+impl Thing {
+    const ANY: Self = Self { reach: 0.0, sharpness: 0.0 };
+
+    /// `roughness` of the surface, where the distance is known.
+    fn new(reach: f32, roughness: Option<f32>) -> Self {
+        let sharpness = |roughness| 2.0 * mirror_share(roughness) / (0.05 + lobe_width(roughness)).powi(2);
+        Self { reach, sharpness: roughness.map_or(0.0, sharpness) }
+    }
+
+    /// Of what a tap shows, to this.
+    fn likeness(self, reach: f32) -> f32 {
+        let other = reach - self.reach;
+        (-other * other * self.sharpness).exp().max(LEAST_LIKE)
+    }
 }
 
 impl Past {
@@ -118,14 +144,22 @@ pub(super) fn of_light([r, g, b]: [f32; 3]) -> f32 {
 }
 
 impl Scene<'_> {
-    /// The better of two pasts, or a blend of both. `seen` is of this frame, then with its past. `explained`: share of the light that
-    /// its lobe explains. `reaches`: the least and the greatest around.
-    pub(super) fn best_past(&self, c: &Centre, seen: &mut SeenReflection, reaches: [f32; 2], explained: f32) -> Option<BestPast> {
+    /// The better of two pasts, or a blend of both. `seen` is of this frame, then with its past. `unknown`: the roughness with which
+    /// an unknown distance is tried. `explained`: share of the light that its lobe explains. `reaches`: the least and the greatest around.
+    pub(super) fn best_past(
+        &self,
+        c: &Centre,
+        seen: &mut SeenReflection,
+        unknown: f32,
+        reaches: [f32; 2],
+        explained: f32,
+    ) -> Option<BestPast> {
         let depth = c.mirror.surface.linear_depth;
         let here = reach(depth, seen.hit_distance);
         let roughness = seen.roughness;
         let is_known = seen.hit_distance > 0.0;
-        let mut surface = self.past_at(c, c.mirror.surface_position);
+        let thing = Thing::new(here, (is_known && !self.inputs.is_mixed).then_some(roughness));
+        let mut surface = self.past_at(c, c.mirror.surface_position, thing);
         let radius = lobe_radius(self.frame, depth, *seen);
         if let Some(past) = surface.filter(|past| past.nearness > 0.0 && is_known) {
             let share = radius * radius / (1.0 + radius * radius) * past.frames / (1.0 + past.frames);
@@ -134,10 +168,9 @@ impl Scene<'_> {
         }
         // What nobody knows is tried as a mirror, and the light of now tells.
         let is_mixed = self.inputs.is_mixed;
-        let tried = match (is_known, is_mixed || self.inputs.roughness.is_some()) {
-            (true, _) => *seen,
-            (false, true) => SeenReflection { hit_distance: UNKNOWN_REACH * depth, ..*seen },
-            (false, false) => SeenReflection { hit_distance: UNKNOWN_REACH * depth, roughness: 0.0 },
+        let tried = match is_known {
+            true => *seen,
+            false => SeenReflection { hit_distance: UNKNOWN_REACH * depth, roughness: unknown },
         };
         let (curvature, share) = (self.motion.curvature(&c.mirror), mirror_share(tried.roughness));
         let curved = SeenReflection { hit_distance: mirror_image_distance(tried.hit_distance, curvature.mean), ..tried };
@@ -164,7 +197,7 @@ impl Scene<'_> {
             // Of mixed light a lookup at the same place would blur the sharp one beside it.
             .filter(|_| (!is_mixed && is_known) || moved > STILL)
             .filter(|_| !by_light || surface.is_none() || chance > UNLIKELY);
-        let mut image = image.and_then(|position| self.past_at(c, position));
+        let mut image = image.and_then(|position| self.past_at(c, position, if before.followed { Thing::ANY } else { thing }));
         if by_light {
             let shares = if surface.is_some() && image.is_some() { [1.0 - chance, chance] } else { [1.0; 2] };
             let places = [Some(c.mirror.surface_position), position];
@@ -269,26 +302,29 @@ impl Scene<'_> {
     }
 
     /// The mean of the tested 2×2 taps around a position.
-    fn past_at(&self, c: &Centre, position: Vec2) -> Option<Past> {
+    fn past_at(&self, c: &Centre, position: Vec2, thing: Thing) -> Option<Past> {
         let corner = position.floor();
         let f = position - corner;
-        let (mut sum, mut whole, mut weights) = (Past::default(), 0.0, 0.0);
+        // Of taps; as far as they show the same thing; and the same surface.
+        let (mut sum, mut whole, mut alike, mut weights) = (Past::default(), 0.0, 0.0, 0.0);
         for (x, y) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
             let q = corner.as_ivec2() + IVec2::new(x, y);
             let weight = (if x == 0 { 1.0 - f.x } else { f.x }) * (if y == 0 { 1.0 - f.y } else { f.y });
             if weight > 0.0 && c.reprojected.is_on_plane(&self.previous_surfaces, q) {
                 let likeness = if self.inputs.is_sharp { c.reprojected.likeness(&self.previous_surfaces.at(q)) } else { 1.0 };
                 let tap = self.tap(c, q);
+                let of_thing = weight * thing.likeness(tap.reach);
                 let range = if weight >= LEAST_IN_RANGE { tap.range } else { Range::default() };
-                sum.add(&Past { range, ..tap }, weight * likeness);
+                sum.add(&Past { range, ..tap }, of_thing * likeness);
                 whole += weight;
-                weights += weight * likeness;
+                alike += of_thing;
+                weights += of_thing * likeness;
             }
         }
         (whole >= SMALLEST_WEIGHT_SUM).then(|| {
             let mut mean = Past::default();
             mean.add(&sum, 1.0 / weights);
-            Past { frames: sum.frames / whole, ..mean }
+            Past { frames: sum.frames / alike, ..mean }
         })
     }
 

@@ -137,6 +137,24 @@ fn a_sharp_history_of_a_mirror_is_looked_up_by_the_cubic() {
     assert_eq!(columns(true, 1.0), columns(false, 1.0), "a wide lobe is not worth it");
 }
 
+#[test]
+fn a_lamp_before_what_is_seen_leaves_nothing_in_its_past() {
+    // The image moves by a fifth of a pixel, towards a lamp of which the past beside has nothing.
+    let step = 0.2 * (WALL + 4.0) / FOCAL;
+    let light = |roughness, lamp| {
+        let seen = |x: i32| pack_reflection(&SeenReflection { hit_distance: if x < 16 { 4.0 } else { lamp }, roughness }, None);
+        let history = paint(EXTENT, |x, _| [if x < 16 { 1.0 } else { 101.0 }; 4]);
+        let outputs = Wall { history, reflection: paint(EXTENT, |x, _| seen(x)), ..Wall::new(step, 4.0, roughness) }.run();
+        let frames = outputs.luminance_history.at(IVec2::new(15, 8)).history_length;
+        (outputs.accumulated.at(IVec2::new(15, 8))[0], frames)
+    };
+    let ((alike, most), (beside, frames)) = (light(0.1, 4.0), light(0.1, 1.0));
+    assert!((alike - 21.0).abs() < 0.5 && beside < 1.5, "{alike}, {beside}");
+    assert!(frames > 0.5 * most, "its own past is worth what it was: {frames} of {most} frames");
+    let (rough, _) = light(1.0, 1.0);
+    assert!((rough - 1.0).abs() > 5.0, "each sample of a wide lobe meets something else: {rough}");
+}
+
 const FARTHEST: f32 = crate::reference::FARTHEST_HIT;
 
 #[test]
@@ -241,6 +259,19 @@ fn the_light_tells_whether_a_thing_at_unknown_distance_moves_as_the_surface_or_a
     let (frames, share) = of_unknown_light(STEP, 0.05, stripes, |x| stripes(x + 4));
     assert!(share < Some(0.05) && frames > 50.0, "as the surface: {share:?}, {frames} frames");
     assert!(of_unknown_light(STEP, 0.05, stripes, |_| 16.0).0 < 2.0, "as neither");
+}
+
+#[test]
+fn a_roughness_of_minus_one_is_none() {
+    let of = |roughness: Option<f32>| {
+        let mut wall = Wall { roughness: roughness.map(|r| Image::new(EXTENT, [r; 4])), ..Wall::new(STEP, 0.0, 0.0) };
+        wall.history = paint(EXTENT, |x, _| [if x.rem_euclid(7) < 3 { 1.0 } else { 4.0 }; 4]);
+        wall.noisy = wall.history.map(|&[r, g, b, _]| [r, g, b, 0.0]);
+        let outputs = wall.run();
+        (outputs.accumulated.texels().to_vec(), outputs.reflection.texels().to_vec())
+    };
+    assert_eq!(of(Some(-1.0)), of(None));
+    assert_ne!(of(Some(1.0)), of(None), "what is known to be rough is no mirror");
 }
 
 /// Light that is the same everywhere tells nothing.

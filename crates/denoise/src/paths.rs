@@ -1,0 +1,128 @@
+//! What is seen in mirrors and through flat glass, by the lengths of paths.
+//!
+//! Blender writes no hit distances, and its motion is that of the glass. But its depth for denoisers goes on at mirrors and through glass, up to the
+//! first surface that is neither. What lies beyond a surface is a reflection's hit distance. What is seen through flat glass is seen straight on, and
+//! moves as it does without the glass. A ball of glass turns its picture around, and what is seen in it has no motion that is known.
+
+use crate::projection::Projection;
+use crate::raster::Raster;
+use crate::transmission::is_black;
+use atrous::Input;
+use std::collections::BTreeMap;
+
+/// Share of the way to a surface from which on a path goes on behind it.
+const GOES_ON: f32 = 0.02;
+/// The roughness of what a path goes on at: Blender has that of a lobe of at most 0.075, so at most 0.27 here.
+const OF_MIRROR: f32 = 0.15;
+/// As the library has it.
+const UNKNOWN: f32 = -1.0;
+/// The least part of the light that a mirror reflects: a path counts by it.
+const LEAST_REFLECTED: f32 = 0.05;
+/// How much a mirror may turn from pixel to pixel, in radians: of what is smaller, pixels beside each other show things that are far apart.
+const MOST_CURVED: f32 = 0.06;
+/// Pixels to each side over which normals are compared.
+const SIDE: usize = 3;
+/// How much a normal may turn over the way that light goes on, in radians: the glass is a lens otherwise.
+const FLAT: f32 = 0.1;
+/// A shorter normal is a mean of several.
+const OF_ONE: f32 = 0.98;
+
+/// Surfaces, and how long paths go on behind them.
+pub struct Paths<'a> {
+    raster: Raster,
+    ids: &'a [u32],
+    /// Diffuse colour.
+    base: &'a [[f32; 4]],
+    normals: &'a [[f32; 4]],
+    camera: Projection<'a>,
+    /// Lengths of the ways to surfaces.
+    first: Vec<f32>,
+    /// Beyond these, where all pixels around show the same surface.
+    beyond: Vec<f32>,
+}
+
+impl<'a> Paths<'a> {
+    /// `lengths`: from the eye.
+    pub fn new(
+        raster: Raster,
+        camera: Projection<'a>,
+        lengths: &[f32],
+        ids: &'a [u32],
+        base: &'a [[f32; 4]],
+        images: &'a BTreeMap<&'static str, Vec<[f32; 4]>>,
+    ) -> Option<Self> {
+        let (depth, normals) = (images.get("depth")?, images.get("normal")?);
+        let first: Vec<f32> = (0..raster.pixels()).map(|i| camera.way(i, depth[i][0])).collect();
+        let beyond = |i: usize| {
+            let beyond = lengths[i] - first[i];
+            let is_inner = ids[i] != 0 && raster.around(i, 1).all(|j| ids[j] == ids[i]);
+            if is_inner && beyond > GOES_ON * first[i] {
+                beyond
+            } else {
+                0.0
+            }
+        };
+        let beyond = (0..raster.pixels()).map(beyond).collect();
+        Some(Self { raster, ids, base, normals, camera, first, beyond })
+    }
+
+    /// Hit distances of mirrors, and roughness: of mirrors, and of what is not known. `transmits`: pixels of glass.
+    pub fn mirrors(&self, transmits: &[bool], coat: &[[f32; 4]]) -> [Vec<[f32; 4]>; 2] {
+        let is_metal = |i: usize| is_black(&self.base[i]) && !transmits[i] && self.turn(i).is_some_and(|turn| turn < MOST_CURVED);
+        let distance = |i: usize| {
+            let reflected = coat[i][..3].iter().sum::<f32>() / 3.0;
+            let is_known = self.beyond[i] > 0.0 && is_metal(i);
+            if is_known {
+                self.beyond[i] / reflected.max(LEAST_REFLECTED)
+            } else {
+                UNKNOWN
+            }
+        };
+        let distances: Vec<f32> = (0..self.raster.pixels()).map(distance).collect();
+        let is_mirror = |i: usize| {
+            let around = || self.raster.around(i, 2).filter(|j| self.ids[*j] == self.ids[i]);
+            self.ids[i] != 0 && around().any(|j| distances[j] > 0.0) && is_metal(i)
+        };
+        let roughness = (0..self.raster.pixels()).map(|i| [if is_mirror(i) { OF_MIRROR } else { UNKNOWN }; 4]).collect();
+        [distances.iter().map(|distance| [*distance; 4]).collect(), roughness]
+    }
+
+    /// The depth that a pixel of flat glass has at what is seen through it; `None` elsewhere.
+    pub fn through(&self, transmits: &[bool]) -> Vec<Option<f32>> {
+        let depth = |i: usize| {
+            let beyond = self.beyond[i];
+            (beyond > 0.0 && transmits[i] && self.is_flat(i)).then(|| self.camera.depth(i, self.first[i] + beyond))
+        };
+        (0..self.raster.pixels()).map(depth).collect()
+    }
+
+    /// Whether the glass turns so little over the way that light goes on that it is no lens.
+    fn is_flat(&self, pixel: usize) -> bool {
+        let turned = |turn: f32| turn * self.beyond[pixel] / (self.camera.pixel() * self.first[pixel]);
+        self.turn(pixel).is_some_and(|turn| turned(turn) < FLAT)
+    }
+
+    /// How much the normal turns from pixel to pixel, in radians, along the axis where it turns most; `None` on outlines.
+    fn turn(&self, pixel: usize) -> Option<f32> {
+        let normal = |i: usize| glam::Vec3::from_slice(&self.normals[i][..3]);
+        let is_one = |i: usize| normal(i).length() > OF_ONE;
+        let [x, y] = self.raster.place(pixel);
+        let is_beside = |j: &usize| {
+            let [jx, jy] = self.raster.place(*j);
+            matches!((jx.abs_diff(x), jy.abs_diff(y)), (SIDE, 0) | (0, SIDE)) && self.ids[*j] == self.ids[pixel] && is_one(*j)
+        };
+        let turns =
+            self.raster.around(pixel, SIDE).filter(is_beside).map(|j| normal(j).normalize().distance(normal(pixel).normalize()));
+        let turns: Vec<f32> = if is_one(pixel) { turns.collect() } else { Vec::new() };
+        (turns.len() > 1).then(|| turns.iter().fold(0.0, |most: f32, turn| most.max(*turn)) / SIDE as f32)
+    }
+}
+
+/// Puts hit distances and roughness beside the images, where those are not given.
+pub fn add_mirrors(images: &mut BTreeMap<&'static str, Vec<[f32; 4]>>, [distances, roughness]: [Vec<[f32; 4]>; 2]) {
+    let (of_distance, of_roughness) = (Input::SPECULAR_HIT_DISTANCE.name, Input::ROUGHNESS.name);
+    let is_seen = distances.iter().any(|distance| distance[0] > 0.0);
+    if is_seen && !images.contains_key(of_distance) && !images.contains_key(of_roughness) {
+        images.extend([(of_distance, distances), (of_roughness, roughness)]);
+    }
+}

@@ -1,0 +1,150 @@
+//! What is seen in mirrors and through glass, by Blender's depth for denoisers.
+
+use super::look_tests::folder;
+use crate::samples::{frame_path, Sample, Type};
+use atrous_denoise::frame::FrameInputs;
+use atrous_denoise::frame_files;
+use atrous_denoise::loader::Loader;
+use atrous_denoise::roles::Role;
+use atrous_denoise::setup::{Options, Setup};
+
+const WIDTH: u32 = 36;
+const HEIGHT: u32 = 12;
+/// Surfaces stand here; what is seen in the mirror this far behind it, and through the glass at that depth.
+const DEPTH: f32 = 4.0;
+const IN_MIRROR: f32 = 6.0;
+const BEHIND: f32 = 12.0;
+/// Of the mirror.
+const REFLECTED: f32 = 0.75;
+/// Of the camera, to the right from frame to frame.
+const STEP: f32 = 0.5;
+const FOCAL: [f32; 2] = [2.5, 7.5];
+
+const WALL: usize = 5;
+const MIRROR: usize = 18;
+const GLASS: usize = 30;
+
+/// Twelve columns each of a wall, a mirror and glass.
+#[derive(Clone, Copy)]
+struct Sequence {
+    /// Of normals, from pixel to pixel.
+    turn: f32,
+    has_paths: bool,
+    is_perspective: bool,
+}
+
+const FLAT: Sequence = Sequence { turn: 0.0, has_paths: true, is_perspective: true };
+
+fn frames(sequence: Sequence) -> tempfile::TempDir {
+    let Sequence { turn, has_paths, is_perspective } = sequence;
+    let folder = folder();
+    let (half, float) = (Type::Half, Type::Float);
+    let ray = |x: u32, y: u32| {
+        let at = |place: u32, side: u32, focal: f32| ((place as f32 + 0.5) / side as f32 * 2.0 - 1.0) / focal;
+        (1.0 + at(x, WIDTH, FOCAL[0]).powi(2) + at(y, HEIGHT, FOCAL[1]).powi(2)).sqrt()
+    };
+    let length = move |x: u32, y: u32| match x / 12 {
+        0 => DEPTH * ray(x, y),
+        1 => DEPTH * ray(x, y) + REFLECTED * IN_MIRROR,
+        _ => BEHIND * ray(x, y),
+    };
+    let colours = |sample: Sample, name: &str, values: [f32; 3]| {
+        let channels = ["R", "G", "B"].map(|c| format!("ViewLayer.{name}.{c}"));
+        channels.iter().fold(sample, |sample, name| sample.channel(name, half, move |x, _| values[x as usize / 12]))
+    };
+    for number in 1..=2 {
+        let sample = Sample::new(WIDTH as usize, HEIGHT as usize)
+            .flat("ViewLayer.Combined.R ViewLayer.Combined.G ViewLayer.Combined.B", half, 0.75)
+            .flat("ViewLayer.Depth.Z", float, DEPTH)
+            .flat("ViewLayer.Vector.X", float, FOCAL[0] * WIDTH as f32 / 2.0 * STEP / DEPTH)
+            .flat("ViewLayer.Vector.Y ViewLayer.Normal.Y", float, 0.0)
+            .channel("ViewLayer.Normal.X", float, move |x, _| (turn * x as f32).sin())
+            .channel("ViewLayer.Normal.Z", float, move |x, _| (turn * x as f32).cos())
+            .channel("ViewLayer.IndexOB.X", float, |x, _| (1 + x / 12) as f32);
+        let sample = colours(sample, "DiffCol", [0.5, 0.0, 0.0]);
+        let sample = colours(sample, "GlossCol", [0.0, REFLECTED, 0.0625]);
+        let sample = colours(sample, "GlossDir", [0.0, 0.5, 0.5]);
+        let mut sample = colours(sample, "GlossInd", [0.0, 0.5, 0.5]);
+        if has_paths {
+            sample = sample.channel("ViewLayer.Denoising Depth.Z", float, move |x, y| length(x as u32, y as u32));
+        }
+        sample.write(&frame_path(folder.path(), number));
+    }
+    let camera = |i: u32| {
+        format!(
+            r#"{{"i": {i}, "view": [[1, 0, 0, {}], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]],
+            "proj": [[{}, 0, 0, 0], [0, -{}, 0, 0], [0, 0, -1.0001, -0.1], [0, 0, {}]]}}"#,
+            -STEP * i as f32,
+            FOCAL[0],
+            FOCAL[1],
+            if is_perspective { "-1, 0" } else { "0, 1" }
+        )
+    };
+    std::fs::write(folder.path().join("sequence.json"), format!(r#"{{"frames": [{}, {}]}}"#, camera(1), camera(2)))
+        .expect("written");
+    folder
+}
+
+/// The second frame.
+fn loaded(sequence: Sequence, channels: &[(Role, String)]) -> FrameInputs {
+    let folder = frames(sequence);
+    let files = frame_files::find(&[folder.path().to_owned()]).expect("frames");
+    let setup = Setup::new(&files, &Options { channels: channels.to_vec(), ..Options::default() }).expect("a setup");
+    let mut loader = Loader::new(&setup);
+    files.iter().map(|files| loader.load(files).expect("a frame")).last().expect("two frames")
+}
+
+fn at(inputs: &FrameInputs, image: &str, column: usize) -> f32 {
+    inputs.images[image][6 * WIDTH as usize + column][0]
+}
+
+fn assert_motion(inputs: &FrameInputs, column: usize, depth: f32) {
+    let (motion, expected) = (at(inputs, "motion", column), FOCAL[0] * WIDTH as f32 / 2.0 * STEP / depth);
+    assert!((motion - expected).abs() < 0.01, "{column}: {motion} for {expected}");
+}
+
+#[test]
+fn what_is_seen_through_flat_glass_moves_as_it_does() {
+    let inputs = loaded(FLAT, &[]);
+    assert_motion(&inputs, GLASS, BEHIND);
+    assert_motion(&inputs, MIRROR, DEPTH);
+    assert_motion(&inputs, WALL, DEPTH);
+    assert_motion(&loaded(Sequence { has_paths: false, ..FLAT }, &[]), GLASS, DEPTH);
+}
+
+#[test]
+fn a_lens_moves_as_its_surface() {
+    // As a sphere that is as wide as the picture.
+    assert_motion(&loaded(Sequence { turn: 0.03, ..FLAT }, &[]), GLASS, DEPTH);
+}
+
+#[test]
+fn a_mirror_has_the_distance_of_what_is_seen_in_it() {
+    let inputs = loaded(FLAT, &[]);
+    let distance = at(&inputs, "specular_hit_distance", MIRROR);
+    assert!((distance - IN_MIRROR).abs() < 0.02, "{distance}");
+    assert!((at(&inputs, "roughness", MIRROR) - 0.15).abs() < 1e-6);
+    for column in [WALL, GLASS] {
+        assert_eq!([at(&inputs, "specular_hit_distance", column), at(&inputs, "roughness", column)], [-1.0; 2], "{column}");
+    }
+    let round = loaded(Sequence { turn: 0.03, ..FLAT }, &[]);
+    assert!((at(&round, "specular_hit_distance", MIRROR) - IN_MIRROR).abs() < 0.02);
+    for other in [loaded(Sequence { turn: 0.1, ..FLAT }, &[]), loaded(Sequence { has_paths: false, ..FLAT }, &[])] {
+        assert!(!other.images.contains_key("specular_hit_distance") && !other.images.contains_key("roughness"));
+    }
+}
+
+#[test]
+fn where_lines_of_sight_are_parallel_nothing_is_followed() {
+    let inputs = loaded(Sequence { is_perspective: false, ..FLAT }, &[]);
+    assert_motion(&inputs, GLASS, DEPTH);
+    assert!(!inputs.images.contains_key("specular_hit_distance"));
+}
+
+#[test]
+fn given_distances_stay() {
+    let given = (Role::HitDistance, "ViewLayer.Depth.Z".to_owned());
+    let inputs = loaded(FLAT, &[given]);
+    assert_eq!(at(&inputs, "specular_hit_distance", MIRROR), DEPTH);
+    assert!(!inputs.images.contains_key("roughness"));
+}
