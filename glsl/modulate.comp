@@ -116,7 +116,7 @@ layout(set = 0, binding = LUMINANCE_HISTORY_1) uniform utexture2D luminance_hist
 const int WINDOWS = 4;
 
 // The light of a pixel with the detail that noise does not explain: of five windows, since one is too few to tell noise from it.
-vec3 with_detail(vec3 filtered, texture2D irradiance_history, utexture2D luminance_history, ivec2 p) {
+vec3 restored(vec3 filtered, texture2D irradiance_history, utexture2D luminance_history, ivec2 p) {
     float sum = detail_of(texelFetch(luminance_history, p, 0).x);
     if (sum == UNTOLD_DETAIL) return filtered;
     [[unroll]] for (int i = 0; i < 4; ++i) {
@@ -132,8 +132,8 @@ void main() {
     GuideBits packed = rendered_guide_at(p);
     vec3 first = texelFetch(filtered_0, host_pixel(FILTERED_0, p), 0).rgb, second = vec3(0.0);
     if (is_present(FILTERED_1)) second = texelFetch(filtered_1, host_pixel(FILTERED_1, p), 0).rgb;
-    if (is_wired(IRRADIANCE_HISTORY_0)) first = with_detail(first, irradiance_history_0, luminance_history_0, p);
-    if (is_wired(IRRADIANCE_HISTORY_1)) second = with_detail(second, irradiance_history_1, luminance_history_1, p);
+    if (is_wired(IRRADIANCE_HISTORY_0)) first = restored(first, irradiance_history_0, luminance_history_0, p);
+    if (is_wired(IRRADIANCE_HISTORY_1)) second = restored(second, irradiance_history_1, luminance_history_1, p);
     modulate(p, packed, first, second);
 }
 #endif

@@ -333,7 +333,8 @@ float steadiness_of(Centre c, float radius, vec2 image_position) {
 }
 
 // The better of two pasts, or a blend of both, in the light of this frame; its frames are what it is worth. `hit_distance`: of this frame, then with its past.
-// `unknown`: the roughness with which an unknown distance is tried. `reaches`: see hit_distance_now. `image_share`: of the blend, from where the image was; how likely that is where nobody knows the distance.
+// `unknown`: the roughness with which an unknown distance is tried. `reaches`: see hit_distance_now. `image_share`: of the blend, from where the
+// image was; how likely that is where nobody knows the distance.
 // `steadiness`: see steadiness_of.
 Past best_past(Centre c, float roughness, float unknown, float explained, vec2 reaches, inout float hit_distance, out float image_share, out float steadiness) {
     float here = reach_of(c.depth, hit_distance);

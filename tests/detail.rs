@@ -1,6 +1,6 @@
 //! Fine structure that no guide knows, which noise does not explain: it is no longer filtered away, and noise of the same spread is.
 
-use super::support::{frame, scene::Guides, scene::Scene, session, upload_to_engine};
+use super::support::{frame, scene, scene::Guides, scene::Scene, session, upload_to_engine};
 use atrous::config::Preset;
 use atrous::reference::Engine;
 use atrous::{Config, Tuning};
@@ -18,13 +18,6 @@ const PIXELS: u32 = EXTENT[0] * EXTENT[1];
 const FRAMES: u32 = 4;
 const LIGHT: f32 = 2.0;
 
-/// From -0.5 to 0.5.
-fn random(seed: u32) -> f32 {
-    let v = seed.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-    let v = ((v >> ((v >> 28) + 4)) ^ v).wrapping_mul(277_803_737);
-    ((v >> 22) ^ v) as f32 / u32::MAX as f32 - 0.5
-}
-
 /// Light of a wall, of which each pixel has its own from frame to frame in the columns that are `steady`, but for `noise`.
 struct Wall {
     steady: Range<u32>,
@@ -37,7 +30,7 @@ const NONE: Range<u32> = 0..0;
 impl Wall {
     fn structure(&self, pixel: u32, frame: u32) -> f32 {
         let is_steady = self.steady.contains(&(pixel % EXTENT[0]));
-        random(pixel + if is_steady { 0 } else { frame * PIXELS })
+        scene::random(pixel, if is_steady { 0 } else { frame }, 0) - 0.5
     }
 
     fn frame(&self, index: u32) -> Guides {
@@ -46,7 +39,7 @@ impl Wall {
         guides.normal.fill([0.0, 0.0, 1.0, 0.0]);
         guides.surface_id.fill(1);
         guides.albedo.fill([1.0; 4]);
-        let light = |pixel| LIGHT + self.structure(pixel, index) + self.noise * random(0x0100_0000 + index * PIXELS + pixel);
+        let light = |pixel| LIGHT + self.structure(pixel, index) + self.noise * (scene::random(pixel, index, 1) - 0.5);
         guides.noisy_radiance = (0..PIXELS).map(|pixel| [light(pixel); 4]).collect();
         guides
     }

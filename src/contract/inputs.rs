@@ -185,8 +185,7 @@ inputs! {
     OBJECT_NORMAL = "object_normal": Guide Vector, false, None, captured(&["object_normal"], XYZ);
     /// with `Config::material_class`: 0 to 15, an entry of `FrameParams::materials`
     MATERIAL_CLASS = "material_class": Guide Id, false, Some(Counter::MaterialClass), captured(&["material_class"], I);
-    /// 0 to 1, perceptual or GGX's α; without it, and where it is −1, surfaces are rough, and may mirror all the same. `Signals::Specular` and
-    /// `Mixed` read it
+    /// 0 to 1, perceptual or GGX's α; without it, or at −1, surfaces are rough. `Signals::Specular` and `Mixed` read it
     ROUGHNESS = "roughness": Guide Scalar, true, Some(Counter::Roughness), common(&["roughness"], &["Y"]);
     /// radiance is divided by it and multiplied again, so textures stay sharp
     ALBEDO = "albedo": Composition Colour, true, Some(Counter::Albedo),
@@ -207,8 +206,8 @@ inputs! {
     SPECULAR_ALBEDO = "specular_albedo": Composition Colour, true, Some(Counter::Albedo), captured(&["specular_albedo"], RGB);
     /// instead of `specular_albedo`: reflectance at normal incidence
     SPECULAR_F0 = "specular_f0": Composition Colour, true, Some(Counter::Albedo), captured(&["specular_f0"], RGB);
-    /// distance from the surface to the hit of the specular path, scene units; 0 or infinite: nothing was hit. Without it, and where it is −1, light
-    /// alone tells whether a reflection moves as its surface or as a far image does
+    /// distance from the surface to the hit of the specular path, scene units; 0 or infinite: nothing was hit. Without it, or at
+    /// −1, the light tells how reflections move
     SPECULAR_HIT_DISTANCE = "specular_hit_distance": Guide Scalar, true, Some(Counter::HitDistance),
         captured(&["hitdist", "hit_distance"], &["D"]);
     /// the `surface_id` at that hit: with `instance_transforms`, moving things in mirrors, and moving mirrors, are followed

@@ -43,7 +43,7 @@
 // guide, id: with Config::material_class: 0 to 15, an entry of FrameParams::materials
 #define ATROUS_INPUT_MATERIAL_CLASS "material_class"
 
-// guide, number, optional: 0 to 1, perceptual or GGX's α; without it, and where it is −1, surfaces are rough, and may mirror all the same. Signals::Specular and Mixed read it
+// guide, number, optional: 0 to 1, perceptual or GGX's α; without it, or at −1, surfaces are rough. Signals::Specular and Mixed read it
 #define ATROUS_INPUT_ROUGHNESS "roughness"
 
 // composition, colour, optional: radiance is divided by it and multiplied again, so textures stay sharp
@@ -73,7 +73,7 @@
 // composition, colour, optional: instead of specular_albedo: reflectance at normal incidence
 #define ATROUS_INPUT_SPECULAR_F0 "specular_f0"
 
-// guide, number, optional: distance from the surface to the hit of the specular path, scene units; 0 or infinite: nothing was hit. Without it, and where it is −1, light alone tells whether a reflection moves as its surface or as a far image does
+// guide, number, optional: distance from the surface to the hit of the specular path, scene units; 0 or infinite: nothing was hit. Without it, or at −1, the light tells how reflections move
 #define ATROUS_INPUT_SPECULAR_HIT_DISTANCE "specular_hit_distance"
 
 // guide, id, optional: the surface_id at that hit: with instance_transforms, moving things in mirrors, and moving mirrors, are followed

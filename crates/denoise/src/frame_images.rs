@@ -210,13 +210,16 @@ impl Channels<'_> {
         ids: &[u32],
         images: &mut BTreeMap<&'static str, Texels>,
     ) -> Option<Vec<Option<f32>>> {
+        let camera = Projection::new(params, params, &self.setup.config.conventions);
+        if !camera.is_perspective() {
+            return None;
+        }
         let lengths = self.scalars(Role::PathLength)?;
         let lengths: Vec<f32> = lengths.into_iter().map(|length| length * self.setup.scales.depth).collect();
         let (base, coat) = (self.vectors(Role::DiffuseColour)?, self.vectors(Role::SpecularAlbedo)?);
         let transmits = Transmission::new(self.setup, ids, &base, images)?.pixels();
         let raster = Raster::new(self.setup.config.allocated_extent);
-        let camera = Projection::new(params, params, &self.setup.config.conventions);
-        let paths = camera.is_perspective().then(|| Paths::new(raster, camera, &lengths, ids, &base, images)).flatten()?;
+        let paths = Paths::new(raster, camera, &lengths, ids, &base, images)?;
         let (mirrors, through) = (paths.mirrors(&transmits, &coat), paths.through(&transmits));
         if self.setup.config.signals == Signals::Specular {
             paths::add_mirrors(images, mirrors);

@@ -104,17 +104,17 @@ impl<'a> Paths<'a> {
 
     /// How much the normal turns from pixel to pixel, in radians, along the axis where it turns most; `None` on outlines.
     fn turn(&self, pixel: usize) -> Option<f32> {
-        let normal = |i: usize| glam::Vec3::from_slice(&self.normals[i][..3]);
-        let is_one = |i: usize| normal(i).length() > OF_ONE;
-        let [x, y] = self.raster.place(pixel);
+        let normal = |i: usize| {
+            Some(glam::Vec3::from_slice(&self.normals[i][..3])).filter(|n| n.length() > OF_ONE).map(glam::Vec3::normalize)
+        };
+        let (own, [x, y]) = (normal(pixel)?, self.raster.place(pixel));
         let is_beside = |j: &usize| {
             let [jx, jy] = self.raster.place(*j);
-            matches!((jx.abs_diff(x), jy.abs_diff(y)), (SIDE, 0) | (0, SIDE)) && self.ids[*j] == self.ids[pixel] && is_one(*j)
+            matches!((jx.abs_diff(x), jy.abs_diff(y)), (SIDE, 0) | (0, SIDE)) && self.ids[*j] == self.ids[pixel]
         };
-        let turns =
-            self.raster.around(pixel, SIDE).filter(is_beside).map(|j| normal(j).normalize().distance(normal(pixel).normalize()));
-        let turns: Vec<f32> = if is_one(pixel) { turns.collect() } else { Vec::new() };
-        (turns.len() > 1).then(|| turns.iter().fold(0.0, |most: f32, turn| most.max(*turn)) / SIDE as f32)
+        let turns = self.raster.around(pixel, SIDE).filter(is_beside).filter_map(normal).map(|beside| beside.distance(own));
+        let (count, most) = turns.fold((0, 0.0_f32), |(count, most), turn| (count + 1, most.max(turn)));
+        (count > 1).then(|| most / SIDE as f32)
     }
 }
 

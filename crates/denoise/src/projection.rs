@@ -94,13 +94,7 @@ impl<'a> Projection<'a> {
     /// Motion in pixels, previous − current, y down, of one that files have.
     pub fn pixels(&self, v: [f32; 4]) -> Vec2 {
         let c = self.convention;
-        let mut m = Vec2::new(v[0], v[1]);
-        match c.motion_unit {
-            MotionUnit::Pixels => {}
-            MotionUnit::Uv => m *= self.extent,
-            MotionUnit::Ndc => m *= self.extent * 0.5,
-        }
-        m *= c.motion_scale;
+        let mut m = Vec2::new(v[0], v[1]) * self.unit() * c.motion_scale;
         if c.motion_direction == MotionDirection::CurrentMinusPrevious {
             m = -m;
         }
@@ -113,6 +107,7 @@ impl<'a> Projection<'a> {
         }
         m
     }
+
     /// The opposite of [`Self::pixels`].
     pub fn encoded(&self, mut m: Vec2) -> Vec2 {
         let c = self.convention;
@@ -125,11 +120,15 @@ impl<'a> Projection<'a> {
         if c.motion_direction == MotionDirection::CurrentMinusPrevious {
             m = -m;
         }
-        m /= c.motion_scale;
-        match c.motion_unit {
-            MotionUnit::Pixels => m,
-            MotionUnit::Uv => m / self.extent,
-            MotionUnit::Ndc => m / (self.extent * 0.5),
+        m / c.motion_scale / self.unit()
+    }
+
+    /// Pixels in a unit of motion.
+    fn unit(&self) -> Vec2 {
+        match self.convention.motion_unit {
+            MotionUnit::Pixels => Vec2::ONE,
+            MotionUnit::Uv => self.extent,
+            MotionUnit::Ndc => self.extent * 0.5,
         }
     }
 }
