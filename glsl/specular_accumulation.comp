@@ -94,7 +94,7 @@ struct Centre {
     Mirror mirror;
     float depth;
     Expected expected;  // of the surface in the previous frame, at its position
-    float origin;       // of luminance_history: luminance_origin
+    float origin;       // of contrast: luminance_origin
 };
 
 // Pixels: a picture that moves by as much from frame to frame does not stand still.
@@ -130,6 +130,8 @@ const float OWN_DIFFERENCE = 0.35;
 const float LEAST_LIKE = 1e-3;
 // Standard deviations of a past that are noise; twice as many are another thing.
 const float NOISE_OF_PAST = 2.0;
+// By noise alone, the variance of the means of taps over that of a sample, as a ratio of light to base 2: ln(2)² for the base, and a third.
+const float NOISE_OF_MEANS = 0.16;
 
 // What the past holds at one position.
 struct Past {
@@ -139,6 +141,7 @@ struct Past {
     float reach;     // the same, 1 where the hit distance is unknown
     float roughness;
     float image_share;  // as unpack_image_share
+    float contrast;     // variance of the means of its taps
     History light;
 };
 
@@ -197,7 +200,7 @@ bool is_same_surface(Centre c, ivec2 tap) {
     return surface_refusal(packed, there, slack) == REASON_NONE && normal_refusal(guide_normal(packed), there) == REASON_NONE;
 }
 
-Past nothing() { return Past(false, 0.0, 0.0, 0.0, 0.0, 0.0, NO_HISTORY); }
+Past nothing() { return Past(false, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, NO_HISTORY); }
 
 float likeness(Centre c, ivec2 tap) {
     return SHARP ? normal_likeness(guide_normal(GuideBits(texelFetch(previous_guide, tap, 0))), c.expected) : 1.0;
@@ -247,12 +250,15 @@ Past past_at(Centre c, vec2 position, Thing thing) {
         sum.reach += weight * reach;
         sum.roughness += weight * r.roughness;
         sum.image_share += weight * (image_share == NO_PAST ? CHANCE_AT_FIRST : image_share);
-        add_history(sum.light, texelFetch(history, tap, 0).rgb, m, c.origin, weight);
+        add_history(sum.light, texelFetch(history, tap, 0).rgb, m, weight);
+        float aside = m.mean - c.origin;
+        sum.contrast += weight * aside * aside;
     }
     if (whole < SMALLEST_WEIGHT_SUM) return nothing();
     float scale = 1.0 / weights;
-    History light = History(sum.light.irradiance * scale, sum.light.mean * scale, sum.light.second_moment * scale, sum.light.range);
-    return Past(true, sum.frames / alike, sum.nearness * scale, sum.reach * scale, sum.roughness * scale, sum.image_share * scale, light);
+    History light = scaled(sum.light, scale);
+    float aside = light.mean - c.origin, contrast = max(0.0, sum.contrast * scale - aside * aside);
+    return Past(true, sum.frames / alike, sum.nearness * scale, sum.reach * scale, sum.roughness * scale, sum.image_share * scale, contrast, light);
 }
 
 // Irradiance by the cubic; false where one of 4x4 taps that count is another surface, or the position lies on a pixel.
@@ -290,9 +296,9 @@ bool is_in_lobe(vec2 position, vec3 thing, float roughness) {
 float sureness_of_own(Centre c, Past past) {
     vec4 value = texelFetch(noisy, c.mirror.p, 0);
     if (value.a < 0.0) return 1.0;
-    History light = in_light(past.light, c.origin, vec3(1.0), frame.exposure_ratio);
+    History light = in_light(past.light, vec3(1.0), frame.exposure_ratio);
     float now = luminance(value.rgb), then = max(luminance(light.irradiance), 0.0), difference = abs(now - then);
-    float beyond = difference * inversesqrt(max(light.second_moment, 1e-12)) / NOISE_OF_PAST - 1.0;
+    float beyond = difference * inversesqrt(max(light.variance, 1e-12)) / NOISE_OF_PAST - 1.0;
     return max(1.0 - difference / max(now + then, 1e-6), clamp(beyond, 0.0, 1.0));
 }
 
@@ -315,10 +321,10 @@ float change_at(ivec2 p) {
 
 Past mixed(Past a, Past b, float share) {
     History light = History(mix(a.light.irradiance, b.light.irradiance, share), mix(a.light.mean, b.light.mean, share),
-                            mix(a.light.second_moment, b.light.second_moment, share),
+                            mix(a.light.variance, b.light.variance, share),
                             vec2(min(a.light.range.x, b.light.range.x), max(a.light.range.y, b.light.range.y)));
     return Past(true, mix(a.frames, b.frames, share), mix(a.nearness, b.nearness, share), mix(a.reach, b.reach, share),
-                mix(a.roughness, b.roughness, share), mix(a.image_share, b.image_share, share), light);
+                mix(a.roughness, b.roughness, share), mix(a.image_share, b.image_share, share), mix(a.contrast, b.contrast, share), light);
 }
 
 // How sure it is that a past shows what is seen now, at most 1: of a mirror, whose image was followed, and of a picture that stands still before
@@ -330,6 +336,14 @@ float steadiness_of(Centre c, float radius, vec2 image_position) {
     vec3 sight = -normalize(previous_eye_from(c.mirror.position));
     float turned = FILTERED ? 1.0 : min(1.0, distance(sight, c.mirror.sight) / TURNED);
     return max(1.0 - radius, (1.0 - moved / STILL) * (1.0 - 0.5 * turned));
+}
+
+// A past that counts by the light of now, as `chance` tells how likely it is.
+void count_by_light(Centre c, vec2 position, float chance, inout Past past) {
+    ByLight told = by_light(c, position, past, AGREES_WIDEST, true);
+    past.frames = chance * told.frames;
+    float noise = told.noise < 0.0 ? past.contrast : NOISE_OF_MEANS * told.noise * past.light.mean * past.light.mean;
+    past.light.variance += min(past.contrast, noise);
 }
 
 // The better of two pasts, or a blend of both, in the light of this frame; its frames are what it is worth. `hit_distance`: of this frame, then with its past.
@@ -355,7 +369,7 @@ Past best_past(Centre c, float roughness, float unknown, float explained, vec2 r
     float share = mirror_share(seen.roughness);
     float tolerance = SHARPEST + 0.5 * lobe_radius(c.depth, Reflection(mirror_image_distance(seen.hit_distance, curvature.mean), seen.roughness));
     vec2 position = c.mirror.surface_position;
-    bool by_light = !MIXED && !is_known;
+    bool told_by_light = !MIXED && !is_known;
     float chance = CHANCE_AT_FIRST;
     Past image = nothing();
     BadMotion bad;
@@ -372,7 +386,7 @@ Past best_past(Centre c, float roughness, float unknown, float explained, vec2 r
     // The part of the light that moves as an image does.
     float mirrored = MIXED ? explained * share : 1.0;
     bool in_lobe = found && (!is_known || is_in_lobe(position, before.thing, seen.roughness));
-    if (!by_light) {
+    if (!told_by_light) {
         vec2 nearest = position;
         if (MIXED && !is_known) {
             // The thing may be anywhere from there on.
@@ -393,11 +407,11 @@ Past best_past(Centre c, float roughness, float unknown, float explained, vec2 r
         if (surface.found) chance = image_chance(c, moves, position, surface);
         if (moves && (!surface.found || chance > UNLIKELY)) image = past_at(c, position, before.followed ? ANY_THING : thing);
         bool both = surface.found && image.found;
-        if (surface.found) surface.frames = (both ? 1.0 - chance : 1.0) * frames_by_light(c, c.mirror.surface_position, surface, AGREES_WIDEST, true);
-        if (image.found) image.frames = (both ? chance : 1.0) * frames_by_light(c, position, image, AGREES_WIDEST, true);
+        if (surface.found) count_by_light(c, c.mirror.surface_position, both ? 1.0 - chance : 1.0, surface);
+        if (image.found) count_by_light(c, position, both ? chance : 1.0, image);
     }
     if (surface.found && !MIXED) surface.frames = worth(surface.frames, other_thing(c, surface, here, reaches, roughness), 2.0);
-    if (image.found && by_light) image.frames = worth(image.frames, other_thing(c, image, here, reaches, roughness), 2.0);
+    if (image.found && told_by_light) image.frames = worth(image.frames, other_thing(c, image, here, reaches, roughness), 2.0);
     if (image.found && is_known) {
         vec2 remembered = position;
         vec3 image_there = vec3(before.image.xy, hit_distance_of(c.depth, image.nearness));
@@ -420,12 +434,13 @@ Past best_past(Centre c, float roughness, float unknown, float explained, vec2 r
         else surface.light.irradiance = sharp;
     }
     Past past = !surface.found ? image : !image.found ? surface : mixed(surface, image, image_share);
-    if (!by_light && past.found && (!MIXED || share > 0.0)) {
-        float agreeing = frames_by_light(c, chosen, past, share > 0.0 ? AGREES : AGREES_WIDEST, false);
+    if (!told_by_light && past.found && (!MIXED || share > 0.0)) {
+        float agreeing = by_light(c, chosen, past, share > 0.0 ? AGREES : AGREES_WIDEST, false).frames;
         past.frames = MIXED ? mix(past.frames, agreeing, mirrored) : agreeing;
     }
-    if (by_light) image_share = chance;
-    past.light = in_light(past.light, c.origin, vec3(1.0), frame.exposure_ratio);
+    if (told_by_light) image_share = chance;
+    if (!told_by_light) past.light.variance += past.contrast * (1.0 - share * explained);
+    past.light = in_light(past.light, vec3(1.0), frame.exposure_ratio);
     return past;
 }
 

@@ -122,12 +122,12 @@ void add_tap(inout Gathered sum, ivec2 tap, Expected expected, float whole) {
     LuminanceHistory m = unpack_luminance_history(packed_at(previous_luminance_history_0, tap).x);
     sum.weight += weight;
     sum.history_lengths[0] += weight * m.history_length;
-    add_history(sum.signals[0], texelFetch(history_0, tap, 0).rgb, m, origins[0], weight);
+    add_moments(sum.signals[0], texelFetch(history_0, tap, 0).rgb, m, origins[0], weight);
     widen_range(sum.signals[0], m.mean);
 #if SIGNALS == 2
     LuminanceHistory m_1 = unpack_luminance_history(packed_at(previous_luminance_history_1, tap).x);
     sum.history_lengths[1] += weight * m_1.history_length;
-    add_history(sum.signals[1], texelFetch(history_1, tap, 0).rgb, m_1, origins[1], weight);
+    add_moments(sum.signals[1], texelFetch(history_1, tap, 0).rgb, m_1, origins[1], weight);
     widen_range(sum.signals[1], m_1.mean);
 #endif
 }
@@ -315,10 +315,9 @@ void main() {
         luminance_history[i] = first_luminance(irradiance[i], worth, reason);
         if (sum.weight > 0.0) {
             float history_length = min(sum.history_lengths[i] / whole_of(sum) + worth, longest);
-            History h = sum.signals[i];
-            h = History(h.irradiance * inverse, h.mean * inverse, h.second_moment * inverse, h.range);
+            History h = of_moments(scaled(sum.signals[i], inverse), origins[i]);
             vec2 least = adapted(vec2(push.alpha, push.alpha_moments) * worth, change);
-            irradiance[i] = blend(irradiance[i], in_light(h, origins[i], ratio, light_scale(ratio)), history_length, worth, least, luminance_history[i]);
+            irradiance[i] = blend(irradiance[i], in_light(h, ratio, light_scale(ratio)), history_length, worth, least, luminance_history[i]);
         }
     }
     imageStore(irradiance_0, p, vec4(signed_storable(irradiance[0]), length_or_reason(luminance_history[0])));

@@ -159,7 +159,9 @@ struct Surroundings {
 vec2 whiteness(float spread, float noise) {
     float share = noise / max(spread, 1e-20), white = smoothstep(STRUCTURE, WHITE_NOISE, share);
     float narrowed = mix(NARROWEST, 1.0, smoothstep(PICTURE, MIXTURE, share));
-    return vec2(white, mix(1.0, white, smoothstep(FAINT, CLEAR, spread - noise)) * narrowed * narrowed);
+    // From the end, where next to nothing is left: one less what is next to one would be rounding.
+    float unclear = smoothstep(-CLEAR, -FAINT, noise - spread);
+    return vec2(white, mix(white, 1.0, unclear) * narrowed * narrowed);
 }
 
 // How much wider a variance is that is in doubt, and that of rare light: a window that has a single pixel of it says next to nothing.

@@ -6,24 +6,38 @@
 #include "luminance.glsl"
 #include "luminance_history.glsl"
 
-// Moments about a luminance that is the same for all that is added: a difference of squares would cancel otherwise.
 struct History {
     vec3 irradiance;
-    float mean;
-    float second_moment;
+    float mean;  // of luminance
+    float variance;
     vec2 range;  // of the mean luminances of what is added
 };
 
 const History NO_HISTORY = History(vec3(0.0), 0.0, 0.0, vec2(65504.0, 0.0));
 
-// The luminance of this frame's sample in the light of the previous one: what cancels by it is little beside the difference of the two.
+// The luminance of this frame's sample in the light of the previous one: what moments about it lose in rounding is little beside the difference of the two.
 float luminance_origin(vec3 irradiance) { return min(luminance(irradiance) / max(frame.exposure_ratio, 1e-20), 65504.0); }
 
-void add_history(inout History sum, vec3 irradiance, LuminanceHistory m, float origin, float weight) {
+// What lies between the means of taps is no noise: by chance, a lamp beside a dark wall would be a light of which some samples are bright.
+void add_history(inout History sum, vec3 irradiance, LuminanceHistory m, float weight) {
+    sum.irradiance += weight * irradiance;
+    sum.mean += weight * m.mean;
+    sum.variance += weight * m.deviation * m.deviation;
+}
+
+// The same where it counts as noise, as in [SVGF] 4.1: moments about a luminance that is the same for all taps, in the place of mean and variance.
+void add_moments(inout History sum, vec3 irradiance, LuminanceHistory m, float origin, float weight) {
     float difference = m.mean - origin;
     sum.irradiance += weight * irradiance;
     sum.mean += weight * difference;
-    sum.second_moment += weight * (m.deviation * m.deviation + difference * difference);
+    sum.variance += weight * (m.deviation * m.deviation + difference * difference);
+}
+
+History scaled(History sum, float scale) { return History(sum.irradiance * scale, sum.mean * scale, sum.variance * scale, sum.range); }
+
+History of_moments(History moments, float origin) {
+    float variance = max(0.0, moments.variance - moments.mean * moments.mean);
+    return History(moments.irradiance, origin + moments.mean, variance, moments.range);
 }
 
 void widen_range(inout History sum, float mean) { sum.range = vec2(min(sum.range.x, mean), max(sum.range.y, mean)); }
@@ -32,14 +46,13 @@ void widen_range(inout History sum, float mean) { sum.range = vec2(min(sum.range
 float adapted(float alpha, float change) { return alpha + change * (1.0 - alpha); }
 vec2 adapted(vec2 alpha, float change) { return alpha + change * (1.0 - alpha); }
 
-// The history in the light of this frame, with its mean as it is and its variance in the place of the second moment. A ratio of exposures may be as large as a
-// float: the clamps keep infinity minus infinity away.
-History in_light(History history, float origin, vec3 ratio, float scale) {
+// The history in the light of this frame. A ratio of exposures may be as large as a float: the clamps keep infinity minus infinity away.
+History in_light(History history, vec3 ratio, float scale) {
     // Squared it is finite, and all but 0 is beyond the clamp by then.
     float gain = min(scale, 1e18);
-    float variance = max(0.0, history.second_moment - history.mean * history.mean) * (gain * gain);
+    float variance = history.variance * (gain * gain);
     vec3 irradiance = signed_half_range(history.irradiance * ratio * frame.exposure_ratio);
-    return History(irradiance, min((origin + history.mean) * scale, 65504.0), min(variance, 65504.0 * 65504.0), min(history.range * gain, 65504.0));
+    return History(irradiance, min(history.mean * scale, 65504.0), min(variance, 65504.0 * 65504.0), min(history.range * gain, 65504.0));
 }
 
 // Of a pixel without a history; without a sample either, its next one is its first.
@@ -60,7 +73,7 @@ vec3 blend(vec3 irradiance, History history, float history_length, float worth, 
     float alpha_moments = weights.y;
     float difference = luminance(irradiance) - history.mean;
     luminance_history.mean = history.mean + alpha_moments * difference;
-    luminance_history.deviation = sqrt((1.0 - alpha_moments) * (history.second_moment + alpha_moments * difference * difference));
+    luminance_history.deviation = sqrt((1.0 - alpha_moments) * (history.variance + alpha_moments * difference * difference));
     luminance_history.history_length = history_length;
     luminance_history.reason = REASON_NONE;
     // A past that moved was resampled: what lies between its pixels is no noise.

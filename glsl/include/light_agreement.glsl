@@ -55,11 +55,17 @@ void add_pair(inout LogDifference logs, float now, float past, float weight) {
     logs.row += 1;
 }
 
+// What the light of now tells of a past.
+struct ByLight {
+    float frames;  // that it is worth
+    float noise;   // variance of a sample of now, as a ratio of light to base 2; -1: untold
+};
+
 // Frames until the error of a past is as large as the noise of a sample, both as ratios of light. Rare light has noise without bounds by this
 // measure, and a highlight, which is smooth as a ratio, next to none. `hits`: the share of samples that brought the light of the past.
-float frames_by_logs(LogDifference logs, float hits) {
-    if (logs.triples < FEWEST_ROWS) return 65504.0;
-    float noise = logs.bends / (6.0 * logs.triples), difference = logs.sum / logs.weights.x;
+float frames_by_logs(LogDifference logs, float noise, float hits) {
+    if (noise < 0.0) return 65504.0;
+    float difference = logs.sum / logs.weights.x;
     float pixels = logs.weights.x * logs.weights.x / logs.weights.y;
     float missed = clamp((hits * pixels - FEW_HITS) / (ENOUGH_HITS - FEW_HITS), 0.0, 1.0);
     float outside = max(max(difference, -(difference + LOG_BIAS * noise) * missed), 0.0);
@@ -67,11 +73,11 @@ float frames_by_logs(LogDifference logs, float hits) {
     return (noise + LOG_NOISE) / max(error * error, 1e-9);
 }
 
-// Frames that a past is worth by the light of now around a position: by the mean difference over 5x5 pixels in standard errors, of the channel
+// A past by the light of now around a position: by the mean difference over 5x5 pixels in standard errors, of the channel
 // that differs most; where nobody knows the place of what is seen (`by_logs`), by logarithms as well. What a surface mirrors may move or turn
 // while the surface does neither.
-float frames_by_light(Centre c, vec2 position, Past past, float agrees, bool by_logs) {
-    History light = in_light(past.light, c.origin, vec3(1.0), frame.exposure_ratio);
+ByLight by_light(Centre c, vec2 position, Past past, float agrees, bool by_logs) {
+    History light = in_light(past.light, vec3(1.0), frame.exposure_ratio);
     ivec2 shift = ivec2(floor(position + 0.5)) - c.mirror.p;
     vec3 sum = vec3(0.0), squares = vec3(0.0);
     float count = 0.0, dark = DARK * max(luminance(light.irradiance), 0.0) + 1e-6;
@@ -94,15 +100,16 @@ float frames_by_light(Centre c, vec2 position, Past past, float agrees, bool by_
         float weight = max(abs(offset.x), abs(offset.y)) < AGREEMENT_REACH ? 1.0 : RING_WEIGHT;
         add_pair(logs, log2(luminance(value.rgb) + dark), log2(max(luminance(then), 0.0) + dark), weight);
     }
-    if (count < FEWEST_AGREEING) return past.frames;
+    if (count < FEWEST_AGREEING) return ByLight(past.frames, -1.0);
     vec3 mean = sum / count, rounded = ROUNDED * light.irradiance;
     // Samples that a rare light missed all look alike: the past knows how much they differ.
-    vec3 variance = max(squares / count - mean * mean, vec3(light.second_moment));
+    vec3 variance = max(squares / count - mean * mean, vec3(light.variance));
     vec3 errors = abs(mean) * inversesqrt(variance / count + rounded * rounded + 1e-20);
     float agreement = clamp(2.0 - max(max(errors.x, errors.y), errors.z) / agrees, 0.0, 1.0);
-    if (!by_logs) return past.frames * agreement;
-    float squared = light.mean * light.mean;
-    return min(past.frames * agreement, frames_by_logs(logs, squared / max(squared + light.second_moment, 1e-20)));
+    if (!by_logs) return ByLight(past.frames * agreement, -1.0);
+    float squared = light.mean * light.mean, hits = squared / max(squared + light.variance, 1e-20);
+    float noise = logs.triples < FEWEST_ROWS ? -1.0 : logs.bends / (6.0 * logs.triples);
+    return ByLight(min(past.frames * agreement, frames_by_logs(logs, noise, hits)), noise);
 }
 
 #endif

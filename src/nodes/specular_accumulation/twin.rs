@@ -110,7 +110,7 @@ struct Scene<'a> {
 struct Centre {
     mirror: Mirror,
     reprojected: Reprojected,
-    /// What means are taken about: the luminance of this frame in the light of the previous one.
+    /// What contrasts are taken about: the luminance of this frame in the light of the previous one.
     origin: f32,
 }
 
@@ -251,10 +251,9 @@ impl Scene<'_> {
         let tuning = self.tuning_at(p);
         let tuning = Tuning { alpha: tuning.alpha * scale, alpha_moments: tuning.alpha_moments * scale, ..tuning };
         let bounds = AlphaBounds::new(&tuning, confidence.is_some(), false, change);
-        let deviation = (past.second_moment - past.mean * past.mean).max(0.0).sqrt();
         let before = LuminanceHistory {
-            mean: best.origin + past.mean,
-            deviation,
+            mean: past.mean,
+            deviation: past.variance.sqrt(),
             history_length: past.frames,
             ..LuminanceHistory::default()
         };

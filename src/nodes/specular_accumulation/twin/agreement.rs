@@ -32,20 +32,29 @@ const ENOUGH_HITS: f32 = 4.0;
 /// Three in a row that tell how white noise is.
 const FEWEST_ROWS: f32 = 6.0;
 
-/// Frames until the error of a past is as large as the noise of a sample, both as ratios of light. Rare light has noise without bounds by
-/// this measure, and a highlight, which is smooth as a ratio, next to none. `logs`: by offset, of now and of the past.
-/// `hits`: the share of samples that brought the light of the past.
-fn frames_by_logs(logs: &[(IVec2, [f32; 2])], hits: f32) -> f32 {
+/// What the light of now tells of a past.
+#[derive(Clone, Copy)]
+pub(super) struct ByLight {
+    /// That it is worth.
+    pub frames: f32,
+    /// Variance of a sample of now, as a ratio of light to base 2; `None`: untold.
+    pub noise: Option<f32>,
+}
+
+/// Variance of a sample by how much three in a row bend. `logs`: by offset, of now and of the past.
+fn noise_of(logs: &[(IVec2, [f32; 2])]) -> Option<f32> {
     let now_at = |at: IVec2| logs.iter().find(|(offset, _)| *offset == at).map(|(_, [now, _])| *now);
     let rows = logs.iter().filter_map(|(offset, [now, _])| {
         let [beside, beyond] = [1, 2].map(|left| now_at(*offset - IVec2::X * left));
         Some((now - 2.0 * beside? + beyond?).powi(2))
     });
     let rows: Vec<f32> = rows.collect();
-    if (rows.len() as f32) < FEWEST_ROWS {
-        return f32::INFINITY;
-    }
-    let noise = rows.iter().sum::<f32>() / (6.0 * rows.len() as f32);
+    (rows.len() as f32 >= FEWEST_ROWS).then(|| rows.iter().sum::<f32>() / (6.0 * rows.len() as f32))
+}
+
+/// Frames until the error of a past is as large as the `noise` of a sample, both as ratios of light. Rare light has noise without bounds by
+/// this measure, and a highlight, which is smooth as a ratio, next to none. `hits`: the share of samples that brought the light of the past.
+fn frames_by_logs(logs: &[(IVec2, [f32; 2])], noise: f32, hits: f32) -> f32 {
     let weight = |offset: IVec2| if offset.abs().max_element() < AGREEMENT_REACH { 1.0 } else { RING_WEIGHT };
     let (mut sum, mut squares, mut difference) = (0.0, 0.0, 0.0);
     for (offset, [now, then]) in logs {
@@ -63,9 +72,9 @@ fn frames_by_logs(logs: &[(IVec2, [f32; 2])], hits: f32) -> f32 {
 }
 
 impl Scene<'_> {
-    /// Frames that a past is worth by the light of now around a position: by the mean difference over 5×5 pixels in standard errors, of the
+    /// A past by the light of now around a position: by the mean difference over 5×5 pixels in standard errors, of the
     /// channel that differs most; where nobody knows the place of what is seen (`by_logs`), by logarithms as well.
-    pub(super) fn frames_by_light(&self, c: &Centre, position: Vec2, past: &Past, agrees: f32, by_logs: bool) -> f32 {
+    pub(super) fn by_light(&self, c: &Centre, position: Vec2, past: &Past, agrees: f32, by_logs: bool) -> ByLight {
         let ratio = self.frame.exposure_ratio;
         let in_light = |value: f32| signed_half_range(value * ratio);
         let (id, before) = (c.mirror.surface.id, RenderRect::new(self.frame.previous_render_extent));
@@ -85,7 +94,7 @@ impl Scene<'_> {
             .collect();
         let count = pairs.len() as f32;
         if count < FEWEST_AGREEING {
-            return past.frames;
+            return ByLight { frames: past.frames, noise: None };
         }
         let known = self.deviation_of(past).powi(2);
         let irradiance = past.irradiance.map(in_light);
@@ -98,15 +107,17 @@ impl Scene<'_> {
         });
         let agreement = (2.0 - errors.into_iter().fold(0.0, f32::max) / agrees).clamp(0.0, 1.0);
         if !by_logs {
-            return past.frames * agreement;
+            return ByLight { frames: past.frames * agreement, noise: None };
         }
         let dark = DARK * of_light(irradiance).max(0.0) + 1e-6;
         let logs: Vec<_> = pairs
             .iter()
             .map(|(offset, now, then)| (*offset, [now, then].map(|light| (of_light(*light).max(0.0) + dark).log2())))
             .collect();
-        let mean = ((c.origin + past.mean) * ratio).min(LARGEST_HALF);
+        let mean = (past.mean * ratio).min(LARGEST_HALF);
         let hits = mean * mean / (mean * mean + known).max(1e-20);
-        (past.frames * agreement).min(frames_by_logs(&logs, hits))
+        let noise = noise_of(&logs);
+        let frames = noise.map_or(f32::INFINITY, |noise| frames_by_logs(&logs, noise, hits));
+        ByLight { frames: frames.min(past.frames * agreement), noise }
     }
 }

@@ -44,6 +44,8 @@ const OWN_DIFFERENCE: f32 = 0.35;
 const LEAST_LIKE: f32 = 1e-3;
 /// Standard deviations of a past that are noise; twice as many are another thing.
 const NOISE_OF_PAST: f32 = 2.0;
+/// By noise alone, the variance of the means of taps over that of a sample, as a ratio of light to base 2: ln(2)² for the base, and a third.
+const NOISE_OF_MEANS: f32 = 0.16;
 
 /// Mean of what the tested taps hold.
 #[derive(Clone, Copy, Default)]
@@ -58,9 +60,12 @@ pub(super) struct Past {
     /// See [`unpack_image_share`]; of no past, [`CHANCE_AT_FIRST`].
     pub image_share: f32,
     pub irradiance: [f32; 3],
-    /// Of luminance about the origin of the pixel: the difference of squares would cancel otherwise.
+    /// Of luminance.
     pub mean: f32,
-    pub second_moment: f32,
+    /// That of samples.
+    pub variance: f32,
+    /// Variance of the means of its taps, of one tap its square about the origin of the pixel.
+    pub contrast: f32,
     /// Of the mean luminances of its taps.
     pub range: Range,
 }
@@ -69,8 +74,6 @@ pub(super) struct Past {
 #[derive(Clone, Copy)]
 pub(super) struct BestPast {
     pub past: Past,
-    /// What its mean is taken about.
-    pub origin: f32,
     /// How much of it comes from where the image was; how likely that is where nobody knows the distance.
     pub image_share: f32,
     /// How sure it is that it shows what is seen now.
@@ -110,7 +113,8 @@ impl Past {
         self.image_share += weight * tap.image_share;
         (0..3).for_each(|i| self.irradiance[i] += weight * tap.irradiance[i]);
         self.mean += weight * tap.mean;
-        self.second_moment += weight * tap.second_moment;
+        self.variance += weight * tap.variance;
+        self.contrast += weight * tap.contrast;
         self.range = self.range.with(tap.range);
     }
 
@@ -203,7 +207,7 @@ impl Scene<'_> {
             let places = [Some(c.mirror.surface_position), position];
             for ((past, place), share) in [&mut surface, &mut image].into_iter().zip(places).zip(shares) {
                 if let (Some(past), Some(place)) = (past, place) {
-                    past.frames = share * self.frames_by_light(c, place, past, AGREES_WIDEST, true);
+                    self.count_by_light(c, place, share, past);
                 }
             }
         } else {
@@ -254,11 +258,22 @@ impl Scene<'_> {
         if !by_light && (!is_mixed || share > 0.0) {
             let chosen = if image_share > 0.49 { position } else { None };
             let agrees = if share > 0.0 { AGREES } else { AGREES_WIDEST };
-            let agreeing = self.frames_by_light(c, chosen.unwrap_or(c.mirror.surface_position), &past, agrees, false);
+            let agreeing = self.by_light(c, chosen.unwrap_or(c.mirror.surface_position), &past, agrees, false).frames;
             past.frames += mirrored * (agreeing - past.frames);
         }
+        if !by_light {
+            past.variance += past.contrast * (1.0 - share * explained);
+        }
         let image_share = if by_light { chance } else { image_share };
-        Some(BestPast { past, origin: c.origin, image_share, steadiness })
+        Some(BestPast { past, image_share, steadiness })
+    }
+
+    /// A past that counts by the light of now, as `chance` tells how likely it is.
+    fn count_by_light(&self, c: &Centre, position: Vec2, chance: f32, past: &mut Past) {
+        let told = self.by_light(c, position, past, AGREES_WIDEST, true);
+        past.frames = chance * told.frames;
+        let noise = told.noise.map_or(f32::INFINITY, |noise| NOISE_OF_MEANS * noise * past.mean.powi(2));
+        past.variance += past.contrast.min(noise);
     }
 
     /// How sure it is that a past shows what is seen now, at most 1: of a mirror, whose image was followed, and of a picture that stands
@@ -275,7 +290,7 @@ impl Scene<'_> {
 
     /// Standard deviation of a sample of the past, in the light of this frame.
     pub(super) fn deviation_of(&self, past: &Past) -> f32 {
-        ((past.second_moment - past.mean * past.mean).max(0.0).sqrt() * self.frame.exposure_ratio).min(LARGEST_HALF)
+        (past.variance.sqrt() * self.frame.exposure_ratio).min(LARGEST_HALF)
     }
 
     /// How sure it is by the light of a pixel that it shows another thing than its past: what differs by little does no harm, and what differs
@@ -324,7 +339,8 @@ impl Scene<'_> {
         (whole >= SMALLEST_WEIGHT_SUM).then(|| {
             let mut mean = Past::default();
             mean.add(&sum, 1.0 / weights);
-            Past { frames: sum.frames / alike, ..mean }
+            let contrast = (mean.contrast - (mean.mean - c.origin).powi(2)).max(0.0);
+            Past { frames: sum.frames / alike, contrast, ..mean }
         })
     }
 
@@ -333,7 +349,6 @@ impl Scene<'_> {
         let (luminance_history, reflection) = (previous.luminance_history.at(q), previous.reflection.at(q));
         let seen = unpack_reflection(reflection);
         let [r, g, b, _] = previous.history.at(q);
-        let mean = luminance_history.mean - c.origin;
         Past {
             frames: luminance_history.history_length,
             nearness: nearness(c.mirror.surface.linear_depth, seen.hit_distance),
@@ -341,8 +356,9 @@ impl Scene<'_> {
             roughness: seen.roughness,
             image_share: unpack_image_share(reflection).unwrap_or(CHANCE_AT_FIRST),
             irradiance: [r, g, b],
-            mean,
-            second_moment: luminance_history.deviation * luminance_history.deviation + mean * mean,
+            mean: luminance_history.mean,
+            variance: luminance_history.deviation.powi(2),
+            contrast: (luminance_history.mean - c.origin).powi(2),
             range: [luminance_history.mean].into_iter().collect(),
         }
     }

@@ -155,6 +155,35 @@ fn a_lamp_before_what_is_seen_leaves_nothing_in_its_past() {
     assert!((rough - 1.0).abs() > 5.0, "each sample of a wide lobe meets something else: {rough}");
 }
 
+/// Deviation of a past between a wall and a lamp, neither of which is noisy. `now`: the noise of samples, by diagonals.
+fn deviation_beside_a_lamp(hit_distance: f32, roughness: Option<f32>, now: impl Fn(i32) -> f32) -> f32 {
+    let lamp = |x: i32| if x < 16 { 1.0 } else { 101.0 };
+    let luminance_history = |mean| LuminanceHistory { mean, deviation: 0.0, history_length: 100.0, reason: 0, outside: None };
+    // What counts moves by a fifth of a pixel.
+    let depth = if hit_distance > 0.0 && roughness == Some(0.1) { WALL + hit_distance } else { WALL };
+    let wall = Wall {
+        history: paint(EXTENT, |x, _| [lamp(x); 4]),
+        luminance_history: paint(EXTENT, |x, _| luminance_history(lamp(x))),
+        noisy: paint(EXTENT, |x, y| {
+            let light = now(x + y) * if x == 15 { 21.0 } else { lamp(x) };
+            [light, light, light, hit_distance]
+        }),
+        roughness: roughness.map(|roughness| Image::new(EXTENT, [roughness; 4])),
+        ..Wall::new(0.2 * depth / FOCAL, hit_distance, roughness.unwrap_or(0.0))
+    };
+    wall.run().luminance_history.at(IVec2::new(15, 8)).deviation
+}
+
+#[test]
+fn what_lies_between_the_pixels_of_a_past_is_no_noise_in_a_mirror() {
+    let [mirror, rough] = [0.1, 1.0].map(|roughness| deviation_beside_a_lamp(4.0, Some(roughness), |_| 1.0));
+    assert!(mirror < 8.0 && (35.0..45.0).contains(&rough), "{mirror} in a mirror, {rough} in a wide lobe");
+    // Where nobody knows what is seen, samples of now tell how much noise there is.
+    let sure = deviation_beside_a_lamp(0.0, None, |_| 1.0);
+    let noisy = deviation_beside_a_lamp(0.0, None, |i| if i % 2 == 0 { 0.2 } else { 1.8 });
+    assert!(sure < 10.0 && noisy > 15.0, "{sure} without noise, {noisy} with it");
+}
+
 const FARTHEST: f32 = crate::reference::FARTHEST_HIT;
 
 #[test]

@@ -126,9 +126,10 @@ impl Whiteness {
             Some(noise) => {
                 let share = noise / spread.max(1e-20);
                 let whole = smoothstep(STRUCTURE, WHITE_NOISE, share);
-                let clear = smoothstep(FAINT, CLEAR, spread - noise);
+                // From the end, where next to nothing is left: one less what is next to one would be rounding.
+                let unclear = smoothstep(-CLEAR, -FAINT, noise - spread);
                 let narrowed = NARROWEST + (1.0 - NARROWEST) * smoothstep(PICTURE, MIXTURE, share);
-                Self { whole, counted: (1.0 + clear * (whole - 1.0)) * narrowed * narrowed, log_noise: noise }
+                Self { whole, counted: (whole + unclear * (1.0 - whole)) * narrowed * narrowed, log_noise: noise }
             }
         }
     }
