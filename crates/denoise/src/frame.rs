@@ -6,9 +6,11 @@ use crate::exr_header::ExrHeader;
 use crate::frame_files::FrameFiles;
 use crate::frame_images::{rgb, Channels, Texels};
 use crate::frame_source::{self, First};
+use crate::gaps;
 use crate::memory;
 use crate::negative;
 use crate::range::Excess;
+use crate::raster::Raster;
 use crate::roles::Role;
 use crate::sampling::Pattern;
 use crate::setup::{is_about_previous, Setup};
@@ -93,7 +95,11 @@ pub fn load(files: &FrameFiles, setup: &Setup) -> Result<FrameInputs> {
     }
     let negative = if setup.is_verbatim() { 0 } else { even_out(&mut images, setup) };
     let params = FrameParams { light_offset: setup.light_offset(files.number), ..params(setup, camera) };
-    let (surface_id, hit_id) = (channels.surface_ids(&images), channels.hit_ids(&images));
+    let (mut surface_id, hit_id) = (channels.surface_ids(&images), channels.hit_ids(&images));
+    if let Some((beyond, depths)) = setup.beyond.zip(images.get_mut("depth")) {
+        let raster = Raster::new(setup.config.allocated_extent);
+        gaps::fill(depths, surface_id.as_mut(), raster, setup.config.conventions.background_depth, beyond);
+    }
     let through = match (&surface_id, camera) {
         (Some(ids), Some(_)) => channels.follow_paths(&params, ids, &mut images),
         _ => None,

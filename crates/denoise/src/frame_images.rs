@@ -190,7 +190,8 @@ impl Channels<'_> {
         let is_for_denoisers = self.setup.mapping.is_for_denoisers(Role::Albedo);
         // That of Blender has lamps and the sky in it. Where one of them is a part of a pixel, light that is filtered would be multiplied by them.
         let emission = is_for_denoisers.then(|| self.emission()).flatten();
-        let all = self.vectors(Role::Albedo).map(|all| without(&all, &emission));
+        let hidden = is_for_denoisers.then(|| self.vectors(Role::HiddenEnvironment)).flatten();
+        let all = self.vectors(Role::Albedo).map(|all| without(&without(&all, &emission), &hidden));
         let (base, coat) = (self.vectors(Role::DiffuseColour), self.vectors(Role::SpecularAlbedo).filter(|_| is_specular));
         let (Some(all), Some(base), Some(coat)) = (&all, &base, coat) else { return all.or(base) };
         let ids = is_for_denoisers.then(|| self.surface_ids(images)).flatten();

@@ -23,6 +23,7 @@ pub mod frame_files;
 mod frame_images;
 mod frame_names;
 mod frame_source;
+mod gaps;
 pub mod layouts;
 pub mod loader;
 pub mod mapping;

@@ -35,6 +35,8 @@ pub enum Role {
     Emission,
     /// A further emission that is added to the first (Blender's `Env`).
     Environment,
+    /// An environment that a transparent film leaves out of the picture, but not out of Blender's albedo for denoisers.
+    HiddenEnvironment,
     /// Direct light divided by the albedo (Blender's `DiffDir`); multiplied by [`Role::DiffuseColour`] it is direct light.
     DemodulatedDirect,
     /// The divisor of [`Role::DemodulatedDirect`].
@@ -145,6 +147,7 @@ const ROLES: &[(Role, &str, Kind, &str)] = &[
     (Role::HitMotion, "specular_motion", Kind::Vector, ""),
     (Role::Emission, "emission", Kind::Colour, "lights and sky are filtered with everything else instead of passing through"),
     (Role::Environment, "environment", Kind::Colour, ""),
+    (Role::HiddenEnvironment, "hidden_environment", Kind::Colour, ""),
     (Role::DemodulatedDirect, "demodulated_direct", Kind::Colour, ""),
     (Role::DiffuseColour, "diffuse_colour", Kind::Colour, ""),
     (Role::Albedo, "albedo", Kind::Colour, "textures are blurred together with the light"),

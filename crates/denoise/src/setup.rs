@@ -53,6 +53,8 @@ pub struct Setup {
     pub carries_depth: bool,
     /// Guides are means over samples that are spread over their pixels.
     pub has_means: bool,
+    /// The depth of fog without a surface behind it, where depths have gaps that are filled.
+    pub beyond: Option<f32>,
     /// Guides with noise in them, by the names of the library, which are smoothed.
     pub smoothed: BTreeSet<&'static str>,
     /// The step of the numbers of frames.
@@ -95,6 +97,7 @@ impl Setup {
             stills: false,
             carries_depth: false,
             has_means: false,
+            beyond: None,
             smoothed: BTreeSet::new(),
             step: options.step.unwrap_or(1),
             options: options.clone(),
@@ -204,6 +207,16 @@ impl Setup {
     /// What cannot be filtered without them.
     pub fn leave_out(&mut self, roles: &[Role]) -> Result<()> {
         self.mapping.roles.retain(|role, _| !roles.contains(role));
+        self.decide()
+    }
+
+    /// Takes the environment for one that is not in the picture.
+    ///
+    /// # Errors
+    /// None that [`Self::new`] did not have.
+    pub fn hide_environment(&mut self) -> Result<()> {
+        let names = self.mapping.roles.remove(&Role::Environment);
+        self.mapping.roles.extend(names.map(|names| (Role::HiddenEnvironment, names)));
         self.decide()
     }
 

@@ -31,6 +31,8 @@ const TRIED: f32 = 0.25;
 const TRIED_OFF: f32 = 2.0;
 /// What carrying adds to the variance of a mean, over that by which the frame before is off: a mean is smoother.
 const OF_MEAN: f32 = 0.6;
+/// A departure that is no noise, over what pixels beside each other share of it.
+const OF_SHARED: f32 = 1.75;
 const MOST_FRAMES: f32 = 16.0;
 /// An edge that was carried by less stands still.
 const STILL: f32 = 0.01;
@@ -174,7 +176,7 @@ impl Past {
         if parts < LEAST_PARTS * edges.len() as f32 {
             edges.retain(|edge| edge.carried < STILL);
         }
-        let mut noise = before.noise_of(&edges);
+        let mut noise = before.noise_of(&edges, raster);
         next.noise = noise.variance;
         // What changes in a single frame is no noise.
         if before.number > 2 {
@@ -211,10 +213,12 @@ impl Past {
     }
 
     /// With noise alone the mean tells the frame after better than the frame before does, and where carrying alone makes a difference it tells it
-    /// less well: two equations.
-    fn noise_of(&self, edges: &[Edge]) -> Noise {
+    /// less well: two equations. What comes anew in each frame since its motion is another makes the mean better as well, but pixels beside each
+    /// other share it.
+    fn noise_of(&self, edges: &[Edge], raster: Raster) -> Noise {
         let worse = TRIED_OFF - (TRIED_OFF - 1.0) * 0.5_f32.powi(self.number - 1);
-        let (mut better, mut by_noise, mut squares, mut of_noise, mut carried) = (0.0, 0.0, 0.0, 0.0, 0.0);
+        let (mut better, mut by_noise, mut carried) = (0.0, 0.0, 0.0);
+        let (mut squares, mut ranges, mut of_noise, mut of_shared) = (0.0, 0.0, 0.0, 0.0);
         for edge in edges {
             let Some(Carried { luminance, tried, .. }) = edge.past else { continue };
             let range = (edge.range[1] - edge.range[0]).powi(2);
@@ -227,12 +231,38 @@ impl Past {
             better += worse * of_given - of_tried;
             by_noise += range * (worse * (1.0 + kept) - 1.0 - kept * of_mean);
             squares += of_given;
+            ranges += range;
             of_noise += range * (1.0 + kept);
+            // Two pasts between the same pixels have a part of their noise from the same pixels.
+            of_shared += range * 0.25 * edge.carried * kept.sqrt();
             carried += range * edge.carried;
         }
         let over = |value: f32, whole: f32| if whole > 0.0 { (value / whole).max(0.0) } else { 0.0 };
-        let variance = over(better, by_noise);
+        let not_shared = squares - OF_SHARED * shared(edges, raster) * ranges;
+        let variance = over(better, by_noise).min(over(not_shared, of_noise - OF_SHARED * of_shared));
         Noise { variance, off: over(squares - variance * of_noise, carried) }
+    }
+}
+
+/// How much of their departure from the past pixels beside each other share, in squared ranges.
+fn shared(edges: &[Edge], raster: Raster) -> f32 {
+    let mut departures = vec![None; raster.pixels()];
+    for Edge { pixel, past, luminance, range, .. } in edges {
+        departures[*pixel] = past.map(|past| [luminance - past.luminance, range[1] - range[0]]);
+    }
+    let (mut products, mut ranges) = (0.0, 0.0);
+    for pixel in edges.iter().map(|edge| edge.pixel) {
+        let after = raster.beside(pixel).filter(|beside| *beside > pixel);
+        for pair in after.filter_map(|beside| departures[pixel].zip(departures[beside])) {
+            let ([own, own_range], [beside, beside_range]) = pair;
+            products += own * beside;
+            ranges += own_range * beside_range;
+        }
+    }
+    if ranges > 0.0 {
+        (products / ranges).max(0.0)
+    } else {
+        0.0
     }
 }
 
@@ -314,13 +344,14 @@ mod tests {
         Middle,
     }
 
+    fn random(seed: u32) -> f32 {
+        let mut v = seed.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+        v = ((v >> ((v >> 28) + 4)) ^ v).wrapping_mul(277_803_737);
+        ((v >> 22) ^ v) as f32 / u32::MAX as f32
+    }
+
     /// A round lamp before the sky, whose middle is at `x`.
     fn emission(x: f32, samples: Samples, frame: u32) -> Texels {
-        let random = |seed: u32| {
-            let mut v = seed.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-            v = ((v >> ((v >> 28) + 4)) ^ v).wrapping_mul(277_803_737);
-            ((v >> 22) ^ v) as f32 / u32::MAX as f32
-        };
         let covered = |px: f32, py: f32| (px - x).hypot(py - 16.0) < 9.0;
         let pixel = |i: u32| {
             let (px, py) = ((i % EXTENT[0]) as f32, (i / EXTENT[0]) as f32);
@@ -423,6 +454,23 @@ mod tests {
             averages.take(&mut images, &surface(18.0, 0.0), EXTENT, true);
             let changed = images[EMISSION].iter().zip(given).filter(|(a, b)| a != b).count();
             assert_eq!(changed, 0);
+        }
+    }
+
+    #[test]
+    fn a_picture_that_comes_anew_in_each_frame_is_no_noise() {
+        let spots = |frame: u32| -> Texels {
+            let spot = |i: u32| random(frame * 4096 + (i / EXTENT[0] / 4) * EXTENT[0] + (i % EXTENT[0]) / 4);
+            crate::smooth::smooth(&(0..EXTENT[0] * EXTENT[1]).map(|i| [spot(i); 4]).collect(), EXTENT[0] as usize)
+        };
+        let mut averages = Averages::default();
+        for frame in 0..8 {
+            let given = spots(frame);
+            let mut images = BTreeMap::from([(ALBEDO, given.clone())]);
+            averages.take(&mut images, &surface(18.0, 0.4), EXTENT, true);
+            let rms = |by: &dyn Fn(usize) -> f32| (0..given.len()).map(|i| by(i).powi(2)).sum::<f32>().sqrt();
+            let (changed, contrast) = (rms(&|i| images[ALBEDO][i][0] - given[i][0]), rms(&|i| given[i][0] - 0.5));
+            assert!(changed < 0.05 * contrast, "{frame}: {changed} of {contrast}");
         }
     }
 

@@ -1,19 +1,15 @@
 //! Guides with noise in them: fog, depth of field and motion blur mix what several surfaces have. A
 //! guide like that draws edges where there are none, and light that passes the filter by keeps its noise.
 
-use super::tiles::Pair;
+use super::comparison::Comparison;
 use crate::error::Result;
 use crate::frame::FrameInputs;
-use crate::motion;
+use crate::frame_images::Texels;
+use crate::gaps;
+use crate::raster::Raster;
 use crate::roles::Role;
 use crate::setup::Setup;
 use crate::unfiltered::{self, ALBEDO, EMISSION};
-
-/// The share of the tiles from which on a guide is left out.
-const NOISY: f32 = 0.35;
-/// The same where the place of a surface in the frame before is not known: without its motion, or with jitter, by which a fine
-/// texture differs from frame to frame.
-const NOISY_UNKNOWN: f32 = 0.6;
 
 /// What is done about noise in a guide.
 #[derive(Clone, Copy, PartialEq)]
@@ -36,6 +32,8 @@ const GUIDES: &[Guide] = &[
 ];
 /// Averages of depths are of no surface.
 const DEPTH: [Role; 2] = [Role::Depth, Role::Position];
+/// Light of a medium.
+const MEDIUM: [Role; 3] = [Role::Volume, Role::VolumeIndirect, Role::ScatteringDepth];
 
 fn mean([r, g, b, _]: [f32; 4]) -> f32 {
     (r + g + b) / 3.0
@@ -51,39 +49,57 @@ fn slanted([x, y, z, _]: [f32; 4]) -> f32 {
     0.5 * x + 0.7 * y + 0.3 * z
 }
 
+/// Has the gaps of depths filled where they are all their noise. Returns whether they are.
+///
+/// # Errors
+/// None that the setup did not have.
+pub fn fill_gaps(pair: &[FrameInputs; 2], setup: &mut Setup) -> Result<bool> {
+    let Some(comparison) = Comparison::new(pair, setup) else { return Ok(false) };
+    let far = setup.config.conventions.background_depth;
+    let beyond = pair[0].images.get("depth").and_then(|depths| gaps::beyond(depths, far));
+    let Some(beyond) = beyond.filter(|_| setup.mapping.has(Role::Depth) && !setup.is_named(Role::Depth)) else { return Ok(false) };
+    let given = comparison.share("depth", |depths| nearness(depths, far), None);
+    let filled = |depths: &Texels| {
+        let mut depths = depths.clone();
+        gaps::fill(&mut depths, None, Raster::new(pair[1].params.render_extent), far, beyond);
+        nearness(&depths, far)
+    };
+    let is_fog = given > comparison.limit && comparison.share("depth", filled, None) <= comparison.limit;
+    if is_fog {
+        setup.beyond = Some(beyond);
+        let roles: Vec<Role> = MEDIUM.into_iter().filter(|role| !setup.is_named(*role)).collect();
+        setup.leave_out(&roles)?;
+        setup.note(format!(
+            "  note: depth has gaps that change in {:.0} % of the picture, as it has in fog: they are filled from beside, and light of the fog is filtered with that of surfaces",
+            100.0 * given
+        ));
+    }
+    Ok(is_fog)
+}
+
 /// Leaves noisy guides out.
 ///
 /// # Errors
 /// What cannot be filtered without them.
 pub fn check(pair: &[FrameInputs; 2], setup: &mut Setup) -> Result<()> {
-    let [before, now] = pair;
-    if now.params.reset.is_some() {
-        return Ok(());
-    }
-    let surface = motion::of_frame(now, &before.params, &setup.config.conventions);
-    let is_jittered = pair.iter().any(|frame| frame.params.jitter != [0.0; 2]);
-    let limit = if setup.knows_motion() && !is_jittered { NOISY } else { NOISY_UNKNOWN };
+    let Some(comparison) = Comparison::new(pair, setup) else { return Ok(()) };
+    let now = &pair[1];
     let averages = unfiltered::is_averaged(now, setup);
-    let share = |values: [Vec<f32>; 2], skipped: Option<&[bool]>| {
-        let values = values.each_ref().map(Vec::as_slice);
-        Pair { extent: now.params.render_extent, values, motion_px: &surface.motion_px, skipped }.noisy_share()
-    };
-    let images = |name: &str, of: fn([f32; 4]) -> f32| {
-        let [a, b] = [before, now].map(|frame| frame.images.get(name));
-        a.zip(b).map(|(a, b)| [a, b].map(|texels| texels.iter().map(|t| of(*t)).collect()))
-    };
     let is_open = |role: &Role| setup.mapping.has(*role) && !setup.is_named(*role);
-    let depth = if DEPTH.iter().any(is_open) { share([before, now].map(|frame| nearness(frame, setup)), None) } else { 0.0 };
+    let far = setup.config.conventions.background_depth;
+    let depth = if DEPTH.iter().any(is_open) { comparison.share("depth", |depths| nearness(depths, far), None) } else { 0.0 };
     // What is averaged over frames may be noisy: outlines, and an albedo as far as depths say whose it is.
-    let outlines = averages.then(|| unfiltered::are_borders(&surface, now.params.render_extent));
-    let has_mean = |name: &str| name == ALBEDO && averages && setup.has_means && depth <= limit;
+    let outlines = averages.then(|| unfiltered::are_borders(&comparison.surface, now.params.render_extent));
+    let is_foggy = setup.beyond.is_some() || depth > comparison.limit;
+    let has_mean = |name: &str| name == ALBEDO && averages && setup.has_means && !is_foggy;
     let mut found = Vec::new();
     for (name, roles, of, remedy) in GUIDES.iter().filter(|(name, roles, ..)| roles.iter().any(is_open) && !has_mean(name)) {
         let skipped = outlines.as_deref().filter(|_| *name == EMISSION);
-        found.push((*name, *roles, images(name, *of).map_or(0.0, |values| share(values, skipped)), *remedy));
+        let values = |texels: &Texels| texels.iter().map(|texel| of(*texel)).collect();
+        found.push((*name, *roles, comparison.share(name, values, skipped), *remedy));
     }
     found.push(("depth", &DEPTH, depth, Remedy::LeaveOut));
-    for (name, roles, noisy, remedy) in found.into_iter().filter(|(_, _, noisy, _)| *noisy > limit) {
+    for (name, roles, noisy, remedy) in found.into_iter().filter(|(_, _, noisy, _)| *noisy > comparison.limit) {
         let done = match remedy {
             Remedy::Smooth => {
                 setup.smoothed.insert(name);
@@ -103,9 +119,7 @@ pub fn check(pair: &[FrameInputs; 2], setup: &mut Setup) -> Result<()> {
 }
 
 /// Depths between 0 and 1, the background at 1.
-fn nearness(frame: &FrameInputs, setup: &Setup) -> Vec<f32> {
-    let far = setup.config.conventions.background_depth;
-    let depths = frame.images.get("depth").map(Vec::as_slice).unwrap_or_default();
+fn nearness(depths: &Texels, far: f32) -> Vec<f32> {
     let is_surface = |z: f32| z.is_finite() && z > 0.0 && z < far;
     let mut surfaces: Vec<f32> = depths.iter().map(|t| t[0]).filter(|z| is_surface(*z)).collect();
     surfaces.sort_by(f32::total_cmp);

@@ -1,6 +1,7 @@
 //! A look at the first frames, before any is filtered: what a renderer writes that is not as it seems.
 //! Each finding is told in a line, and the setup is made to fit it.
 
+mod comparison;
 mod depth;
 mod guides;
 mod noise;
@@ -36,15 +37,24 @@ pub fn take(frames: &[FrameFiles], setup: &mut Setup) -> Result<Vec<String>> {
         _ => Vec::new(),
     };
     for finding in findings {
-        setup.leave_out(&finding.roles)?;
+        match finding.roles.as_slice() {
+            [Role::Environment] => setup.hide_environment()?,
+            roles => setup.leave_out(roles)?,
+        }
         setup.note(finding.note);
     }
     if let Some(first) = frames.first().and_then(|first| frame::load(first, setup).ok()) {
         setup.has_means = unfiltered::are_means(&first, setup);
         reflectance::check(&first, setup)?;
     }
-    if let Some(pair) = pair(frames, setup) {
-        guides::check(&pair, setup)?;
+    let mut looked_at = pair(frames, setup);
+    if let Some(given) = &looked_at {
+        if guides::fill_gaps(given, setup)? {
+            looked_at = pair(frames, setup);
+        }
+    }
+    if let Some(pair) = &looked_at {
+        guides::check(pair, setup)?;
     }
     range(frames, setup);
     if let Some(pair) = pair(frames, setup) {

@@ -50,8 +50,8 @@ fn guides_that_are_noise_are_not_trusted() {
     assert!(named.mapping.has(Role::Albedo));
 }
 
-/// Frames with an albedo that is noise. `are_means`: where two surfaces meet, normals are means of both. `fog`: depth is noise, too.
-fn noisy_albedos(are_means: bool, fog: bool) -> tempfile::TempDir {
+/// Frames with an albedo that is noise. `are_means`: where two surfaces meet, and in fog, normals are means. `fog`: half of the pixels have other depths.
+fn noisy_albedos(are_means: bool, fog: Option<[f32; 2]>) -> tempfile::TempDir {
     let input = folder();
     for number in 0..6 {
         let mut pixels = Scene::default().frame(number).pixels.to_vec();
@@ -59,14 +59,54 @@ fn noisy_albedos(are_means: bool, fog: bool) -> tempfile::TempDir {
         for (i, seen) in pixels.iter_mut().enumerate() {
             seen.albedo = [noisy_albedo(number, i); 3];
             let is_outline = [1, SIZE[0]].iter().any(|step| ids.get(i + step).is_some_and(|id| *id != ids[i]));
-            seen.normal = seen.normal.map(|v| if are_means && is_outline { 0.7 * v } else { v });
-            if fog {
-                seen.depth = if samples::noise(i as i32, 4, 50 + number) < 0.5 { 0.3 } else { 40.0 };
+            let is_part = is_outline || (fog.is_some() && samples::noise(i as i32, 6, 50 + number) < 0.5);
+            seen.normal = seen.normal.map(|v| if are_means && is_part { 0.7 * v } else { v });
+            if let Some(depths) = fog {
+                seen.depth = depths[usize::from(samples::noise(i as i32, 4, 50 + number) < 0.5)];
             }
         }
         Frame { pixels: std::rc::Rc::new(pixels) }.plain().write(&frame_path(input.path(), number));
     }
     input
+}
+
+/// Frames of Blender in fog: at half of the pixels no surface has met the ray. `depth`: of the others.
+fn in_fog(depth: impl Fn(u32, usize) -> f32) -> tempfile::TempDir {
+    let input = folder();
+    for number in 0..2 {
+        let mut pixels = Scene::default().frame(number).pixels.to_vec();
+        for (i, seen) in pixels.iter_mut().enumerate() {
+            let is_met = samples::noise(i as i32, 5, 60 + number) < 0.5;
+            (seen.id, seen.depth) = if is_met { (7, depth(number, i)) } else { (0, 1e10) };
+        }
+        let frame = Frame { pixels: std::rc::Rc::new(pixels) };
+        let sample = frame.add(Frame::sample(), "ViewLayer.Combined", "RGB", |s| s.noisy);
+        let sample = frame.add(sample, "ViewLayer.Depth", "Z", |s| [s.depth]);
+        let sample = frame.add(sample, "ViewLayer.Vector", "XY", |_| [0.0; 2]);
+        let sample = frame.add(sample, "ViewLayer.IndexOB", "X", |s| [s.id as f32]);
+        let sample = frame.add(sample, "ViewLayer.VolumeDir", "RGB", |s| s.noisy.map(|v| 0.25 * v));
+        frame.add(sample, "ViewLayer.VolumeInd", "RGB", |_| [0.0; 3]).write(&frame_path(input.path(), number));
+    }
+    input
+}
+
+/// Gaps in depth are filled, and fog is filtered with what is behind it: each sample shows one of them.
+#[test]
+fn gaps_that_fog_makes_are_filled() {
+    let input = in_fog(|_, _| 3.0);
+    let (setup, _) = looked_at(input.path());
+    assert!(setup.mapping.has(Role::Depth) && !setup.mapping.has(Role::Volume), "{:?}", setup.report);
+    assert!(setup.report.iter().any(|line| line.contains("depth has gaps")), "{:?}", setup.report);
+    let frames = frame_files::find(&[input.path().to_owned()]).expect("frames");
+    let inputs = frame::load(&frames[0], &setup).expect("a frame");
+    let ids = inputs.surface_id.expect("ids");
+    let near = |i: &usize| inputs.images["depth"][*i][0] == 3.0 && ids[*i] == 8;
+    let far = |i: &usize| inputs.images["depth"][*i][0] == 6.0 && ids[*i] != 0;
+    let filled = (0..ids.len()).filter(near).count();
+    assert!((0..ids.len()).all(|i| near(&i) || far(&i)) && filled * 50 > ids.len() * 49, "{filled} of {}", ids.len());
+    // What depth of field mixes has no surface that fills it.
+    let (setup, _) = looked_at(in_fog(|number, i| [0.3, 40.0][usize::from(samples::noise(i as i32, 6, 60 + number) < 0.5)]).path());
+    assert!(!setup.mapping.has(Role::Depth) && setup.mapping.has(Role::Volume), "{:?}", setup.report);
 }
 
 fn noisy_albedo(number: u32, pixel: usize) -> f32 {
@@ -76,7 +116,7 @@ fn noisy_albedo(number: u32, pixel: usize) -> f32 {
 /// Where it is a mean over a pixel, and depths say whose it is, its noise is averaged over frames instead of being left out.
 #[test]
 fn noise_of_an_albedo_is_averaged() {
-    let input = noisy_albedos(true, false);
+    let input = noisy_albedos(true, None);
     let (setup, _) = looked_at(input.path());
     assert!(setup.mapping.has(Role::Albedo), "{:?}", setup.report);
     let frames = frame_files::find(&[input.path().to_owned()]).expect("frames");
@@ -86,7 +126,12 @@ fn noise_of_an_albedo_is_averaged() {
     let squares = |of: &dyn Fn(usize) -> f32| (0..pixels).map(|i| (of(i) - 0.5).powi(2)).sum::<f32>() / pixels as f32;
     let (given, averaged) = (squares(&|i| noisy_albedo(5, i)), squares(&|i| loaded[5].images["albedo"][i][0]));
     assert!(averaged < 0.5 * given, "{averaged} of {given}");
-    assert!(!looked_at(noisy_albedos(true, true).path()).0.mapping.has(Role::Albedo), "in fog nobody knows whose it is");
+    // In fog nobody knows whose it is.
+    for (depths, are_gaps) in [([0.3, 40.0], false), ([3.0, 0.0], true)] {
+        let setup = looked_at(noisy_albedos(true, Some(depths)).path()).0;
+        assert_eq!(setup.beyond.is_some(), are_gaps, "{depths:?}");
+        assert!(!setup.mapping.has(Role::Albedo), "{depths:?}");
+    }
 }
 
 /// Where neither motion nor depth and cameras tell the place in the frame before, a mean would smear what moves.
@@ -109,7 +154,7 @@ fn averages_need_the_place_in_the_frame_before() {
 /// In the middle of pixels a print differs from frame to frame as noise does, but a mean would blur it.
 #[test]
 fn albedos_of_the_middle_of_pixels_are_not_averaged() {
-    let input = noisy_albedos(false, false);
+    let input = noisy_albedos(false, None);
     let (setup, _) = looked_at(input.path());
     assert!(!setup.has_means && !setup.mapping.has(Role::Albedo), "{:?}", setup.report);
     let frames = frame_files::find(&[input.path().to_owned()]).expect("frames");

@@ -169,6 +169,21 @@ fn blender_with_lamps_in_its_albedo() {
     assert_eq!(inputs.images["albedo"][1][..3], [0.5; 3]);
 }
 
+/// Behind a transparent film the sky is not in the picture, but in the albedo for denoisers it is.
+#[test]
+fn blender_with_a_transparent_film() {
+    let half = Type::Half;
+    let passes = [("Combined", 0.25), ("DiffCol", 0.25), ("Denoising Albedo", 0.75), ("Env", 0.5)];
+    let passes = passes.iter().flat_map(|(name, value)| ["R", "G", "B"].map(|c| (format!("ViewLayer.{name}.{c}"), *value)));
+    let sample = passes.fold(Sample::new(8, 6), |sample, (name, value)| sample.channel(&name, half, move |_, _| value));
+    let (folder, mut setup, _) = good(&sample.flat("ViewLayer.Depth.Z", Type::Float, 3.0));
+    let files = frame_files::find(&[folder.path().to_owned()]).expect("files");
+    first_look::take(&files, &mut setup).expect("a look");
+    let images = atrous_denoise::loader::Loader::new(&setup).load(&files[0]).expect("a frame").images;
+    assert!(!images.contains_key("emission") && images["noisy_radiance"][1][0] == 0.25, "{:?}", setup.report);
+    assert_eq!(images["albedo"][1][..3], [0.25; 3]);
+}
+
 /// Columns 0 to 2 are glass, 3 is glass and wall, 4 to 7 are wall. `albedo`: as for denoisers, where it is written. `rim`: length of normals there.
 fn glass_before_a_wall(albedo: Option<f32>, rim: f32) -> Vec<f32> {
     let half = Type::Half;
@@ -221,14 +236,16 @@ fn beside_a_lamp(options: &Options, last: &str) -> Vec<f32> {
     };
     let cameras: Vec<String> = (0..6).map(camera).collect();
     std::fs::write(folder.path().join("sequence.json"), format!(r#"{{"frames": [{}]}}"#, cameras.join(", "))).expect("cameras");
-    for (i, covered) in [0.0, 1.0, 0.5, 0.25, 0.75, 0.0].into_iter().enumerate() {
-        let light = move |x: i32| 0.5 + 4.0 * if x < 8 { 1.0 } else { f32::from(x == 8) * covered };
+    for i in 0..6 {
+        // Rows have samples of their own. Row 6 is looked at.
+        let covered = move |y: i32| [0.0, 1.0, 0.5, 0.25, 0.75, 0.0][(i + 4 * y as usize) % 6];
+        let light = move |x: i32, y: i32| 0.5 + 4.0 * if x < 8 { 1.0 } else { f32::from(x == 8) * covered(y) };
         let mut sample = Sample::new(16, 12)
             .channel("ViewLayer.Depth.Z", Type::Float, |x, _| if x < 8 { 3.0 } else { 1e10 })
             .channel("ViewLayer.IndexOB.X", Type::Float, |x, _| if x < 8 { 1.0 } else { 0.0 })
             .flat("ViewLayer.Vector.X ViewLayer.Vector.Y", Type::Float, 0.0);
         for channel in ["Combined.R", "Combined.G", "Combined.B", "Emit.R", "Emit.G", "Emit.B"] {
-            sample = sample.channel(&format!("ViewLayer.{channel}"), Type::Float, move |x, _| light(x));
+            sample = sample.channel(&format!("ViewLayer.{channel}"), Type::Float, light);
         }
         sample.write(&folder.path().join(format!("f_{i:04}.exr")));
     }
