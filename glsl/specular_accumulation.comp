@@ -439,7 +439,7 @@ Past best_past(Centre c, float roughness, float unknown, float explained, vec2 r
         past.frames = MIXED ? mix(past.frames, agreeing, mirrored) : agreeing;
     }
     if (told_by_light) image_share = chance;
-    if (!told_by_light) past.light.variance += past.contrast * (1.0 - share * explained);
+    else past.light.variance += past.contrast * (1.0 - share * explained);
     past.light = in_light(past.light, vec3(1.0), frame.exposure_ratio);
     return past;
 }

@@ -188,10 +188,7 @@ impl Channels<'_> {
     /// The reflectance of what is filtered with it.
     fn albedo(&mut self, is_specular: bool, images: &BTreeMap<&'static str, Texels>) -> Option<Texels> {
         let is_for_denoisers = self.setup.mapping.is_for_denoisers(Role::Albedo);
-        // That of Blender has lamps and the sky in it. Where one of them is a part of a pixel, light that is filtered would be multiplied by them.
-        let emission = is_for_denoisers.then(|| self.emission()).flatten();
-        let hidden = is_for_denoisers.then(|| self.vectors(Role::HiddenEnvironment)).flatten();
-        let all = self.vectors(Role::Albedo).map(|all| without(&without(&all, &emission), &hidden));
+        let all = self.albedo_of_surfaces();
         let (base, coat) = (self.vectors(Role::DiffuseColour), self.vectors(Role::SpecularAlbedo).filter(|_| is_specular));
         let (Some(all), Some(base), Some(coat)) = (&all, &base, coat) else { return all.or(base) };
         let ids = is_for_denoisers.then(|| self.surface_ids(images)).flatten();
@@ -202,6 +199,17 @@ impl Channels<'_> {
             _ => std::array::from_fn(|c| (all[i][c].min(1.0) - coat[i][c]).max(base[i][c])),
         };
         Some((0..all.len()).map(of_pixel).collect())
+    }
+
+    /// The albedo of base and coat, which Blender's for denoisers has lamps and the sky in as well.
+    fn albedo_of_surfaces(&mut self) -> Option<Texels> {
+        let all = self.vectors(Role::Albedo)?;
+        if !self.setup.mapping.is_for_denoisers(Role::Albedo) {
+            return Some(all);
+        }
+        // Where one of them is a part of a pixel, light that is filtered would be multiplied by them.
+        let (emission, hidden) = (self.emission(), self.vectors(Role::HiddenEnvironment));
+        Some(without(&without(&all, &emission), &hidden))
     }
 
     /// Adds what is seen in mirrors to the images. Returns the depth of what is seen through flat glass. Neither where lines of sight are parallel.
@@ -222,6 +230,10 @@ impl Channels<'_> {
         let raster = Raster::new(self.setup.config.allocated_extent);
         let paths = Paths::new(raster, camera, &lengths, ids, &base, images)?;
         let (mirrors, through) = (paths.mirrors(&transmits, &coat), paths.through(&transmits));
+        let all = self.albedo_of_surfaces();
+        if let Some(all) = all.filter(|_| self.setup.config.signals == Signals::Specular) {
+            move_to_emission(images, "noisy_specular", &paths.emission(&transmits, &all, &coat));
+        }
         if self.setup.config.signals == Signals::Specular {
             paths::add_mirrors(images, mirrors);
         }
@@ -354,6 +366,14 @@ fn sum(parts: (Option<Texels>, Option<Texels>)) -> Option<Texels> {
         (Some(a), Some(b)) => Some(combine(&a, &b, |a, b| a + b)),
         (a, b) => a.or(b),
     }
+}
+
+/// Moves a part of the light of an image to what is emitted.
+fn move_to_emission(images: &mut BTreeMap<&'static str, Texels>, light: &'static str, part: &Texels) {
+    let (Some(whole), Some(emission)) = (images.get(light), images.get("emission")) else { return };
+    let part = within(part, whole);
+    let moved = [("emission", combine(emission, &part, |a, b| a + b)), (light, without(whole, &Some(part)))];
+    images.extend(moved);
 }
 
 /// A part of the light, no more than the whole has.

@@ -12,6 +12,8 @@ use std::collections::BTreeMap;
 
 /// Share of the way to a surface from which on a path goes on behind it.
 const GOES_ON: f32 = 0.02;
+/// What a path meets that ends at no surface, in ways to the surface where it starts.
+const SKY: f32 = 1e4;
 /// The roughness of what a path goes on at: Blender has that of a lobe of at most 0.075, so at most 0.27 here.
 const OF_MIRROR: f32 = 0.15;
 /// As the library has it.
@@ -20,9 +22,11 @@ const UNKNOWN: f32 = -1.0;
 const LEAST_REFLECTED: f32 = 0.05;
 /// How much a mirror may turn from pixel to pixel, in radians: of what is smaller, pixels beside each other show things that are far apart.
 const MOST_CURVED: f32 = 0.06;
+/// Pixels to each side of one whose path is known that are as flat.
+const ASIDE: usize = 2;
 /// Pixels to each side over which normals are compared.
 const SIDE: usize = 3;
-/// How much a normal may turn over the way that light goes on, in radians: the glass is a lens otherwise.
+/// How much a normal may turn over the way that light goes on, in radians: glass is a lens otherwise, and a mirror curved.
 const FLAT: f32 = 0.1;
 /// A shorter normal is a mean of several.
 const OF_ONE: f32 = 0.98;
@@ -56,10 +60,11 @@ impl<'a> Paths<'a> {
         let beyond = |i: usize| {
             let beyond = lengths[i] - first[i];
             let is_inner = ids[i] != 0 && raster.around(i, 1).all(|j| ids[j] == ids[i]);
-            if is_inner && beyond > GOES_ON * first[i] {
-                beyond
-            } else {
-                0.0
+            match lengths[i] {
+                _ if !is_inner => 0.0,
+                0.0 => SKY * first[i],
+                _ if beyond > GOES_ON * first[i] => beyond,
+                _ => 0.0,
             }
         };
         let beyond = (0..raster.pixels()).map(beyond).collect();
@@ -80,7 +85,7 @@ impl<'a> Paths<'a> {
         };
         let distances: Vec<f32> = (0..self.raster.pixels()).map(distance).collect();
         let is_mirror = |i: usize| {
-            let around = || self.raster.around(i, 2).filter(|j| self.ids[*j] == self.ids[i]);
+            let around = || self.raster.around(i, ASIDE).filter(|j| self.ids[*j] == self.ids[i]);
             self.ids[i] != 0 && around().any(|j| distances[j] > 0.0) && is_metal(i)
         };
         let roughness = (0..self.raster.pixels()).map(|i| [if is_mirror(i) { OF_MIRROR } else { UNKNOWN }; 4]).collect();
@@ -96,7 +101,20 @@ impl<'a> Paths<'a> {
         (0..self.raster.pixels()).map(depth).collect()
     }
 
-    /// Whether the glass turns so little over the way that light goes on that it is no lens.
+    /// Light of lamps and of the sky that is seen in flat mirrors: what `all`, Blender's albedo for denoisers, has there beyond what is reflected of
+    /// surfaces. Glass has two lobes, and which of them a sample takes is noise.
+    pub fn emission(&self, transmits: &[bool], all: &[[f32; 4]], coat: &[[f32; 4]]) -> Vec<[f32; 4]> {
+        let is_metal = |i: usize| is_black(&self.base[i]) && !transmits[i];
+        let known: Vec<bool> = (0..self.raster.pixels()).map(|i| self.beyond[i] > 0.0 && is_metal(i) && self.is_flat(i)).collect();
+        let is_flat = |i: usize| self.raster.around(i, ASIDE).any(|j| known[j] && self.ids[j] == self.ids[i]);
+        let seen = |i: usize| match is_metal(i) && is_flat(i) {
+            true => std::array::from_fn(|c| (all[i][c] - coat[i][c]).max(0.0)),
+            false => [0.0; 4],
+        };
+        (0..self.raster.pixels()).map(seen).collect()
+    }
+
+    /// Whether the surface turns so little over the way that light goes on that it is no lens.
     fn is_flat(&self, pixel: usize) -> bool {
         let turned = |turn: f32| turn * self.beyond[pixel] / (self.camera.pixel() * self.first[pixel]);
         self.turn(pixel).is_some_and(|turn| turned(turn) < FLAT)

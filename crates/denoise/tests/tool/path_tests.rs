@@ -30,13 +30,17 @@ struct Sequence {
     /// Of normals, from pixel to pixel.
     turn: f32,
     has_paths: bool,
+    /// The sky is seen, where no path ends.
+    shows_sky: bool,
+    /// Of what is seen, in mirror and glass.
+    radiance: f32,
     is_perspective: bool,
 }
 
-const FLAT: Sequence = Sequence { turn: 0.0, has_paths: true, is_perspective: true };
+const FLAT: Sequence = Sequence { turn: 0.0, has_paths: true, shows_sky: false, radiance: 0.0, is_perspective: true };
 
 fn frames(sequence: Sequence) -> tempfile::TempDir {
-    let Sequence { turn, has_paths, is_perspective } = sequence;
+    let Sequence { turn, has_paths, shows_sky, radiance, is_perspective } = sequence;
     let folder = folder();
     let (half, float) = (Type::Half, Type::Float);
     let ray = |x: u32, y: u32| {
@@ -45,6 +49,7 @@ fn frames(sequence: Sequence) -> tempfile::TempDir {
     };
     let length = move |x: u32, y: u32| match x / 12 {
         0 => DEPTH * ray(x, y),
+        _ if shows_sky => 0.0,
         1 => DEPTH * ray(x, y) + REFLECTED * IN_MIRROR,
         _ => BEHIND * ray(x, y),
     };
@@ -54,7 +59,7 @@ fn frames(sequence: Sequence) -> tempfile::TempDir {
     };
     for number in 1..=2 {
         let sample = Sample::new(WIDTH as usize, HEIGHT as usize)
-            .flat("ViewLayer.Combined.R ViewLayer.Combined.G ViewLayer.Combined.B", half, 0.75)
+            .flat("ViewLayer.Emit.R ViewLayer.Emit.G ViewLayer.Emit.B", half, 0.0)
             .flat("ViewLayer.Depth.Z", float, DEPTH)
             .flat("ViewLayer.Vector.X", float, FOCAL[0] * WIDTH as f32 / 2.0 * STEP / DEPTH)
             .flat("ViewLayer.Vector.Y ViewLayer.Normal.Y", float, 0.0)
@@ -63,7 +68,9 @@ fn frames(sequence: Sequence) -> tempfile::TempDir {
             .channel("ViewLayer.IndexOB.X", float, |x, _| (1 + x / 12) as f32);
         let sample = colours(sample, "DiffCol", [0.5, 0.0, 0.0]);
         let sample = colours(sample, "GlossCol", [0.0, REFLECTED, 0.0625]);
-        let sample = colours(sample, "GlossDir", [0.0, 0.5, 0.5]);
+        let sample = colours(sample, "Combined", [0.75, 0.75 + REFLECTED * radiance, 0.75 + radiance]);
+        let sample = colours(sample, "Denoising Albedo", [0.5, REFLECTED * (0.5 + radiance), 0.5 + radiance]);
+        let sample = colours(sample, "GlossDir", [0.0, 0.5 + radiance, 0.5]);
         let mut sample = colours(sample, "GlossInd", [0.0, 0.5, 0.5]);
         if has_paths {
             sample = sample.channel("ViewLayer.Denoising Depth.Z", float, move |x, y| length(x as u32, y as u32));
@@ -110,6 +117,27 @@ fn what_is_seen_through_flat_glass_moves_as_it_does() {
     assert_motion(&inputs, MIRROR, DEPTH);
     assert_motion(&inputs, WALL, DEPTH);
     assert_motion(&loaded(Sequence { has_paths: false, ..FLAT }, &[]), GLASS, DEPTH);
+}
+
+#[test]
+fn the_sky_behind_flat_glass_and_in_a_mirror_is_far_away() {
+    let inputs = loaded(Sequence { shows_sky: true, ..FLAT }, &[]);
+    assert_motion(&inputs, GLASS, 1e4 * DEPTH);
+    assert_motion(&inputs, WALL, DEPTH);
+    assert!(at(&inputs, "specular_hit_distance", MIRROR) > 1e4 * DEPTH);
+}
+
+/// What shines there is no noise, and nothing that a surface reflects.
+#[test]
+fn lamps_in_flat_mirrors_are_not_filtered() {
+    let of = |turn| {
+        let inputs = loaded(Sequence { radiance: 3.0, turn, ..FLAT }, &[]);
+        [WALL, MIRROR, GLASS].map(|column| ["emission", "noisy_specular", "noisy_diffuse"].map(|image| at(&inputs, image, column)))
+    };
+    // Of 3.5 that is seen in the mirror, 1 may be light of a surface.
+    let mirror = REFLECTED * 2.5;
+    assert_eq!(of(0.0), [[0.0, 0.0, 0.75], [mirror, 3.0 - mirror, 0.0], [0.0, 0.0625, 3.6875]]);
+    assert_eq!(of(0.03), [[0.0, 0.0, 0.75], [0.0, 3.0, 0.0], [0.0, 0.0625, 3.6875]], "curved");
 }
 
 #[test]

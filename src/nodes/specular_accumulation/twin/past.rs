@@ -261,10 +261,10 @@ impl Scene<'_> {
             let agreeing = self.by_light(c, chosen.unwrap_or(c.mirror.surface_position), &past, agrees, false).frames;
             past.frames += mirrored * (agreeing - past.frames);
         }
-        if !by_light {
-            past.variance += past.contrast * (1.0 - share * explained);
+        if by_light {
+            return Some(BestPast { past, image_share: chance, steadiness });
         }
-        let image_share = if by_light { chance } else { image_share };
+        past.variance += past.contrast * (1.0 - share * explained);
         Some(BestPast { past, image_share, steadiness })
     }
 
