@@ -10,6 +10,7 @@ use crate::raster::Raster;
 use crate::roles::Role;
 use crate::setup::Setup;
 use crate::unfiltered::{self, ALBEDO, EMISSION};
+use atrous::config::DepthEncoding;
 
 /// What is done about noise in a guide.
 #[derive(Clone, Copy, PartialEq)]
@@ -57,7 +58,9 @@ pub fn fill_gaps(pair: &[FrameInputs; 2], setup: &mut Setup) -> Result<bool> {
     let Some(comparison) = Comparison::new(pair, setup) else { return Ok(false) };
     let far = setup.config.conventions.background_depth;
     let beyond = pair[0].images.get("depth").and_then(|depths| gaps::beyond(depths, far));
-    let Some(beyond) = beyond.filter(|_| setup.mapping.has(Role::Depth) && !setup.is_named(Role::Depth)) else { return Ok(false) };
+    // Depths of a device's buffer do not grow with distance.
+    let is_depth = setup.mapping.has(Role::Depth) && setup.config.conventions.depth != DepthEncoding::Device;
+    let Some(beyond) = beyond.filter(|_| is_depth && !setup.is_named(Role::Depth)) else { return Ok(false) };
     let given = comparison.share("depth", |depths| nearness(depths, far), None);
     let filled = |depths: &Texels| {
         let mut depths = depths.clone();

@@ -72,9 +72,8 @@ fn noisy_albedos(are_means: bool, fog: Option<[f32; 2]>) -> tempfile::TempDir {
 
 /// Frames of Blender in fog: at half of the pixels no surface has met the ray. `depth`: of the others.
 fn in_fog(depth: impl Fn(u32, usize) -> f32) -> tempfile::TempDir {
-    let input = folder();
-    for number in 0..2 {
-        let mut pixels = Scene::default().frame(number).pixels.to_vec();
+    written(Scene::default(), 2, |number, frame| {
+        let mut pixels = frame.pixels.to_vec();
         for (i, seen) in pixels.iter_mut().enumerate() {
             let is_met = samples::noise(i as i32, 5, 60 + number) < 0.5;
             (seen.id, seen.depth) = if is_met { (7, depth(number, i)) } else { (0, 1e10) };
@@ -85,9 +84,8 @@ fn in_fog(depth: impl Fn(u32, usize) -> f32) -> tempfile::TempDir {
         let sample = frame.add(sample, "ViewLayer.Vector", "XY", |_| [0.0; 2]);
         let sample = frame.add(sample, "ViewLayer.IndexOB", "X", |s| [s.id as f32]);
         let sample = frame.add(sample, "ViewLayer.VolumeDir", "RGB", |s| s.noisy.map(|v| 0.25 * v));
-        frame.add(sample, "ViewLayer.VolumeInd", "RGB", |_| [0.0; 3]).write(&frame_path(input.path(), number));
-    }
-    input
+        frame.add(sample, "ViewLayer.VolumeInd", "RGB", |_| [0.0; 3])
+    })
 }
 
 /// Gaps in depth are filled, and fog is filtered with what is behind it: each sample shows one of them.
@@ -104,6 +102,11 @@ fn gaps_that_fog_makes_are_filled() {
     let far = |i: &usize| inputs.images["depth"][*i][0] == 6.0 && ids[*i] != 0;
     let filled = (0..ids.len()).filter(near).count();
     assert!((0..ids.len()).all(|i| near(&i) || far(&i)) && filled * 50 > ids.len() * 49, "{filled} of {}", ids.len());
+    // Beyond all depths of a device's buffer is no place.
+    let options = Options { conventions: vec![("depth".into(), "device".into())], ..Options::default() };
+    let mut of_device = Setup::new(&frames, &options).expect("a setup");
+    first_look::take(&frames, &mut of_device).expect("a look");
+    assert_eq!(of_device.beyond, None);
     // What depth of field mixes has no surface that fills it.
     let (setup, _) = looked_at(in_fog(|number, i| [0.3, 40.0][usize::from(samples::noise(i as i32, 6, 60 + number) < 0.5)]).path());
     assert!(!setup.mapping.has(Role::Depth) && setup.mapping.has(Role::Volume), "{:?}", setup.report);
