@@ -228,14 +228,15 @@ impl Channels<'_> {
         let (base, coat) = (self.vectors(Role::DiffuseColour)?, self.vectors(Role::SpecularAlbedo)?);
         let transmits = Transmission::new(self.setup, ids, &base, images)?.pixels();
         let raster = Raster::new(self.setup.config.allocated_extent);
-        let paths = Paths::new(raster, camera, &lengths, ids, &base, images)?;
-        let (mirrors, through) = (paths.mirrors(&transmits, &coat), paths.through(&transmits));
-        let all = self.albedo_of_surfaces();
-        if let Some(all) = all.filter(|_| self.setup.config.signals == Signals::Specular) {
-            move_to_emission(images, "noisy_specular", &paths.emission(&transmits, &all, &coat));
-        }
+        let paths = Paths::new(raster, camera, &lengths, ids, &base, transmits, images)?;
+        let through = paths.through();
         if self.setup.config.signals == Signals::Specular {
+            let mirrors = paths.mirrors(&coat);
+            let lamps = self.albedo_of_surfaces().map(|all| paths.emission(&all, &coat));
             paths::add_mirrors(images, mirrors);
+            if let Some(lamps) = lamps {
+                move_to_emission(images, "noisy_specular", &lamps);
+            }
         }
         Some(through)
     }

@@ -43,7 +43,8 @@ pub fn fill(depths: &mut Texels, ids: Option<&mut Vec<u32>>, raster: Raster, bac
     }
 }
 
-fn is_surface(depth: f32, background: f32) -> bool {
+/// Whether a depth is one of a surface. `background`: the depth from which on none is.
+pub fn is_surface(depth: f32, background: f32) -> bool {
     depth.is_finite() && depth > 0.0 && depth < background
 }
 

@@ -37,6 +37,8 @@ pub struct Paths<'a> {
     ids: &'a [u32],
     /// Diffuse colour.
     base: &'a [[f32; 4]],
+    /// Pixels of glass.
+    transmits: Vec<bool>,
     normals: &'a [[f32; 4]],
     camera: Projection<'a>,
     /// Lengths of the ways to surfaces.
@@ -53,6 +55,7 @@ impl<'a> Paths<'a> {
         lengths: &[f32],
         ids: &'a [u32],
         base: &'a [[f32; 4]],
+        transmits: Vec<bool>,
         images: &'a BTreeMap<&'static str, Vec<[f32; 4]>>,
     ) -> Option<Self> {
         let (depth, normals) = (images.get("depth")?, images.get("normal")?);
@@ -68,15 +71,15 @@ impl<'a> Paths<'a> {
             }
         };
         let beyond = (0..raster.pixels()).map(beyond).collect();
-        Some(Self { raster, ids, base, normals, camera, first, beyond })
+        Some(Self { raster, ids, base, transmits, normals, camera, first, beyond })
     }
 
-    /// Hit distances of mirrors, and roughness: of mirrors, and of what is not known. `transmits`: pixels of glass.
-    pub fn mirrors(&self, transmits: &[bool], coat: &[[f32; 4]]) -> [Vec<[f32; 4]>; 2] {
-        let is_metal = |i: usize| is_black(&self.base[i]) && !transmits[i] && self.turn(i).is_some_and(|turn| turn < MOST_CURVED);
+    /// Hit distances of mirrors, and roughness: of mirrors, and of what is not known.
+    pub fn mirrors(&self, coat: &[[f32; 4]]) -> [Vec<[f32; 4]>; 2] {
+        let is_even = |i: usize| self.is_metal(i) && self.turn(i).is_some_and(|turn| turn < MOST_CURVED);
         let distance = |i: usize| {
             let reflected = coat[i][..3].iter().sum::<f32>() / 3.0;
-            let is_known = self.beyond[i] > 0.0 && is_metal(i);
+            let is_known = self.beyond[i] > 0.0 && is_even(i);
             if is_known {
                 self.beyond[i] / reflected.max(LEAST_REFLECTED)
             } else {
@@ -84,34 +87,39 @@ impl<'a> Paths<'a> {
             }
         };
         let distances: Vec<f32> = (0..self.raster.pixels()).map(distance).collect();
-        let is_mirror = |i: usize| {
-            let around = || self.raster.around(i, ASIDE).filter(|j| self.ids[*j] == self.ids[i]);
-            self.ids[i] != 0 && around().any(|j| distances[j] > 0.0) && is_metal(i)
-        };
+        let is_mirror = |i: usize| self.ids[i] != 0 && self.is_beside(i, |j| distances[j] > 0.0) && is_even(i);
         let roughness = (0..self.raster.pixels()).map(|i| [if is_mirror(i) { OF_MIRROR } else { UNKNOWN }; 4]).collect();
         [distances.iter().map(|distance| [*distance; 4]).collect(), roughness]
     }
 
     /// The depth that a pixel of flat glass has at what is seen through it; `None` elsewhere.
-    pub fn through(&self, transmits: &[bool]) -> Vec<Option<f32>> {
+    pub fn through(&self) -> Vec<Option<f32>> {
         let depth = |i: usize| {
             let beyond = self.beyond[i];
-            (beyond > 0.0 && transmits[i] && self.is_flat(i)).then(|| self.camera.depth(i, self.first[i] + beyond))
+            (beyond > 0.0 && self.transmits[i] && self.is_flat(i)).then(|| self.camera.depth(i, self.first[i] + beyond))
         };
         (0..self.raster.pixels()).map(depth).collect()
     }
 
     /// Light of lamps and of the sky that is seen in flat mirrors: what `all`, Blender's albedo for denoisers, has there beyond what is reflected of
     /// surfaces. Glass has two lobes, and which of them a sample takes is noise.
-    pub fn emission(&self, transmits: &[bool], all: &[[f32; 4]], coat: &[[f32; 4]]) -> Vec<[f32; 4]> {
-        let is_metal = |i: usize| is_black(&self.base[i]) && !transmits[i];
-        let known: Vec<bool> = (0..self.raster.pixels()).map(|i| self.beyond[i] > 0.0 && is_metal(i) && self.is_flat(i)).collect();
-        let is_flat = |i: usize| self.raster.around(i, ASIDE).any(|j| known[j] && self.ids[j] == self.ids[i]);
-        let seen = |i: usize| match is_metal(i) && is_flat(i) {
+    pub fn emission(&self, all: &[[f32; 4]], coat: &[[f32; 4]]) -> Vec<[f32; 4]> {
+        let is_known = |i: usize| self.beyond[i] > 0.0 && self.is_metal(i) && self.is_flat(i);
+        let known: Vec<bool> = (0..self.raster.pixels()).map(is_known).collect();
+        let seen = |i: usize| match self.is_metal(i) && self.is_beside(i, |j| known[j]) {
             true => std::array::from_fn(|c| (all[i][c] - coat[i][c]).max(0.0)),
             false => [0.0; 4],
         };
         (0..self.raster.pixels()).map(seen).collect()
+    }
+
+    fn is_metal(&self, pixel: usize) -> bool {
+        is_black(&self.base[pixel]) && !self.transmits[pixel]
+    }
+
+    /// Whether one of the pixels around that show the same surface is so.
+    fn is_beside(&self, pixel: usize, is_so: impl Fn(usize) -> bool) -> bool {
+        self.raster.around(pixel, ASIDE).any(|j| self.ids[j] == self.ids[pixel] && is_so(j))
     }
 
     /// Whether the surface turns so little over the way that light goes on that it is no lens.

@@ -123,7 +123,7 @@ pub fn check(pair: &[FrameInputs; 2], setup: &mut Setup) -> Result<()> {
 
 /// Depths between 0 and 1, the background at 1.
 fn nearness(depths: &Texels, far: f32) -> Vec<f32> {
-    let is_surface = |z: f32| z.is_finite() && z > 0.0 && z < far;
+    let is_surface = |z: f32| gaps::is_surface(z, far);
     let mut surfaces: Vec<f32> = depths.iter().map(|t| t[0]).filter(|z| is_surface(*z)).collect();
     surfaces.sort_by(f32::total_cmp);
     let middle = surfaces.get(surfaces.len() / 2).copied().unwrap_or(1.0);
