@@ -7,6 +7,7 @@ use crate::frame_files::FrameFiles;
 use crate::frame_images::{rgb, Channels, Texels};
 use crate::frame_source::{self, First};
 use crate::gaps;
+use crate::lobes;
 use crate::memory;
 use crate::negative;
 use crate::range::Excess;
@@ -90,12 +91,21 @@ pub fn load(files: &FrameFiles, setup: &Setup) -> Result<FrameInputs> {
     let camera = setup.camera(files.number);
     let mut images = BTreeMap::new();
     fill(&mut channels, camera, &mut images);
+    let raster = Raster::new(setup.config.allocated_extent);
+    let far = setup.config.conventions.background_depth;
+    let kinds = setup.has_lobes.then(|| lobes::part(&mut images, raster, far, channels.shapes())).flatten();
     for (_, texels) in images.iter_mut().filter(|(name, _)| setup.smoothed.contains(*name)) {
         *texels = smooth(texels, setup.config.allocated_extent[0] as usize);
     }
     let negative = if setup.is_verbatim() { 0 } else { even_out(&mut images, setup) };
     let params = FrameParams { light_offset: setup.light_offset(files.number), ..params(setup, camera) };
-    let (mut surface_id, hit_id) = (channels.surface_ids(&images), channels.hit_ids(&images));
+    let (given, instance_transforms) = (channels.surface_ids(&images), transforms(&files.colour)?);
+    let mut surface_id = match kinds {
+        // Transforms are found by the ids as they are.
+        Some(kinds) if instance_transforms.is_none() => Some(lobes::told_apart(given, kinds)),
+        _ => given,
+    };
+    let hit_id = channels.hit_ids(&images);
     if let Some((beyond, depths)) = setup.beyond.zip(images.get_mut("depth")) {
         let raster = Raster::new(setup.config.allocated_extent);
         gaps::fill(depths, surface_id.as_mut(), raster, setup.config.conventions.background_depth, beyond);
@@ -128,7 +138,7 @@ pub fn load(files: &FrameFiles, setup: &Setup) -> Result<FrameInputs> {
         index: camera.map_or(files.number / setup.step, |camera| camera.index),
         params,
         tuning: setup.tuning(files.number)?,
-        instance_transforms: transforms(&files.colour)?,
+        instance_transforms,
         images,
         surface_id,
         through,

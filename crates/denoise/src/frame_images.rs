@@ -301,6 +301,15 @@ impl Channels<'_> {
         self.ids(Role::Id, images.get("depth")?, |depth| depth > 0.0 && depth < far)
     }
 
+    /// Numbers of surfaces in this frame.
+    pub fn shapes(&self) -> Option<Vec<f32>> {
+        let names = [Role::Shape, Role::Id].into_iter().find_map(|role| self.setup.mapping.roles.get(&role))?;
+        Some(match self.samples.get(names.first()?)? {
+            Samples::Uint(numbers) => numbers.iter().map(|v| *v as f32).collect(),
+            Samples::Float(numbers) => numbers.clone(),
+        })
+    }
+
     /// Ids of what is seen in the surfaces, with 0 where nothing was hit.
     pub fn hit_ids(&mut self, images: &BTreeMap<&'static str, Texels>) -> Option<Vec<u32>> {
         self.ids(Role::HitId, images.get("specular_hit_distance")?, |distance| distance > 0.0)
@@ -336,8 +345,13 @@ impl Channels<'_> {
                 if bad > 0 {
                     self.replaced.insert(role, bad);
                 }
-                // The cast saturates, and NaN becomes 0.
-                numbers.iter().map(|v| v.round() as u32).collect()
+                let raster = Raster::new(self.setup.config.allocated_extent);
+                let whole = |i: usize| raster.around(i, 1).map(|j| numbers[j]).filter(|v| v.fract() == 0.0);
+                let nearest = |i: usize| whole(i).min_by(|a, b| (a - numbers[i]).abs().total_cmp(&(b - numbers[i]).abs()));
+                // At an outline a number may be a mean of those beside it. The cast saturates, and NaN becomes 0.
+                let number =
+                    |i: usize| if numbers[i].fract() == 0.0 { numbers[i] } else { nearest(i).unwrap_or(numbers[i]).round() };
+                (0..numbers.len()).map(|i| number(i) as u32).collect()
             }
         })
     }

@@ -118,6 +118,7 @@ pub const ENTRIES: &[Entry] = &[
     entry(Role::MotionDepth, &[Atrous], &["mv"], &[&["Z"]]),
     entry(Role::PreviousDepth, &[Atrous], &["prevz"], DEPTH),
     entry(Role::Id, &[Blender], &["indexob", "object index"], ID),
+    entry(Role::Id, &[Mitsuba], &["shape_index", "shape_idx", "shape", "idx"], ID),
     of(Role::Id, Input::SURFACE_ID, ID),
     of(Role::MaterialClass, Input::MATERIAL_CLASS, ID),
     of(Role::Roughness, Input::ROUGHNESS, DEPTH),

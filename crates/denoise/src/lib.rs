@@ -26,6 +26,7 @@ mod frame_source;
 mod gaps;
 pub mod layouts;
 pub mod loader;
+mod lobes;
 pub mod mapping;
 pub mod memory;
 mod missing;

@@ -59,6 +59,8 @@ pub enum Role {
     PreviousDepth,
     /// Stable id per instance.
     Id,
+    /// A number per instance that may be another in the next frame.
+    Shape,
     /// Class of the material at the first hit.
     MaterialClass,
     /// Roughness at the first hit.
@@ -164,6 +166,7 @@ const ROLES: &[(Role, &str, Kind, &str)] = &[
     (Role::MotionDepth, "motion_depth", Kind::Scalar, ""),
     (Role::PreviousDepth, "previous_depth", Kind::Scalar, ""),
     (Role::Id, "id", Kind::Id, "objects at equal depth and orientation are not told apart in the history"),
+    (Role::Shape, "shape", Kind::Id, ""),
     (Role::MaterialClass, "material_class", Kind::Id, ""),
     (Role::Roughness, "roughness", Kind::Scalar, ""),
     (Role::Reference, "reference", Kind::Colour, ""),

@@ -13,7 +13,7 @@ use crate::output_size::OutputSize;
 use crate::range::Range;
 use crate::roles::Role;
 use crate::sampling::Pattern;
-use atrous::config::{GradientSource, MotionDepth, MotionUnit, Preset, Signals};
+use atrous::config::{GradientSource, MotionDepth, MotionUnit, NormalEncoding, Preset, Signals};
 use atrous::{Config, Tuning};
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -53,6 +53,8 @@ pub struct Setup {
     pub carries_depth: bool,
     /// Guides are means over samples that are spread over their pixels.
     pub has_means: bool,
+    /// The light of surfaces without an albedo is filtered apart.
+    pub has_lobes: bool,
     /// The depth of fog without a surface behind it, where depths have gaps that are filled.
     pub beyond: Option<f32>,
     /// Guides with noise in them, by the names of the library, which are smoothed.
@@ -97,6 +99,7 @@ impl Setup {
             stills: false,
             carries_depth: false,
             has_means: false,
+            has_lobes: false,
             beyond: None,
             smoothed: BTreeSet::new(),
             step: options.step.unwrap_or(1),
@@ -116,7 +119,7 @@ impl Setup {
         config.frames_in_flight = 1;
         config.output_extent = options.output_size;
         config.light_extent = self.light_extent;
-        config.surface_id = mapping.has(Role::Id);
+        config.surface_id = mapping.has(Role::Id) || self.has_lobes;
         config.object_normal = mapping.has(Role::ObjectNormal);
         config.material_class = mapping.has(Role::MaterialClass);
         config.gradient_source = gradient_source(mapping);
@@ -139,7 +142,11 @@ impl Setup {
             captured.is_none() && mapping.roles.get(&Role::Visibility(0)).is_some_and(|names| names.len() > 1);
         // Of a capture, roles tell all others; a host need not have the roughness.
         let is_told = captured.is_some() && config.signals == Signals::Mixed;
-        config.signals = if is_told { Signals::Mixed } else { signals(mapping, config.preset, signals_wished)? };
+        config.signals = match () {
+            () if is_told => Signals::Mixed,
+            () if self.has_lobes => Signals::Specular,
+            () => signals(mapping, config.preset, signals_wished)?,
+        };
         config.conventions = conventions::of_layout(mapping);
         let mut scales = Scales::default();
         let mut report = describe(mapping, &config);
@@ -217,6 +224,34 @@ impl Setup {
     pub fn hide_environment(&mut self) -> Result<()> {
         let names = self.mapping.roles.remove(&Role::Environment);
         self.mapping.roles.extend(names.map(|names| (Role::HiddenEnvironment, names)));
+        self.decide()
+    }
+
+    /// Takes ids for numbers that hold for a frame.
+    ///
+    /// # Errors
+    /// None that [`Self::new`] did not have.
+    pub fn number_shapes(&mut self) -> Result<()> {
+        let names = self.mapping.roles.remove(&Role::Id);
+        self.mapping.roles.extend(names.map(|names| (Role::Shape, names)));
+        self.decide()
+    }
+
+    /// Whether light may be parted by the albedo of surfaces: where all of it is in one picture, and nobody wants it so.
+    pub fn may_have_lobes(&self) -> bool {
+        let (config, mapping) = (&self.config, &self.mapping);
+        let is_whole = config.signals == Signals::Together && config.light_extent.is_none() && config.preset != Preset::Stabilize;
+        let is_known = mapping.has(Role::Albedo) && !mapping.is_for_denoisers(Role::Albedo) && mapping.has(Role::Normal);
+        let is_wished = self.options.config.has("signals") || self.is_verbatim();
+        is_whole && is_known && config.conventions.normal == NormalEncoding::Xyz && !is_wished
+    }
+
+    /// Has the light of surfaces without an albedo filtered apart.
+    ///
+    /// # Errors
+    /// None that [`Self::new`] did not have.
+    pub fn part_lobes(&mut self) -> Result<()> {
+        self.has_lobes = true;
         self.decide()
     }
 

@@ -75,7 +75,7 @@ pub fn behind(all: [f32; 4], base: [f32; 4], coat: [f32; 4]) -> [f32; 4] {
     std::array::from_fn(|c| base[c] + (all[c].min(1.0) - base[c]).max(0.0) * (1.0 - coat[c]).clamp(0.0, 1.0))
 }
 
-fn largest([r, g, b, _]: &[f32; 4]) -> f32 {
+pub fn largest([r, g, b, _]: &[f32; 4]) -> f32 {
     r.max(*g).max(*b)
 }
 

@@ -4,6 +4,7 @@
 mod comparison;
 mod depth;
 mod guides;
+mod ids;
 mod noise;
 mod parts;
 mod reflectance;
@@ -32,10 +33,9 @@ pub fn take(frames: &[FrameFiles], setup: &mut Setup) -> Result<Vec<String>> {
     if setup.is_verbatim() {
         return Ok(conventions(frames, setup));
     }
-    let findings = match frames.first().map(|first| frame::channels(first, setup)) {
-        Some(Ok((channels, _))) => parts::look(channels, setup),
-        _ => Vec::new(),
-    };
+    let channels = frames.first().and_then(|first| frame::channels(first, setup).ok());
+    let shapes = channels.as_ref().and_then(|(channels, _)| channels.shapes());
+    let findings = channels.map_or_else(Vec::new, |(channels, _)| parts::look(channels, setup));
     for finding in findings {
         match finding.roles.as_slice() {
             [Role::Environment] => setup.hide_environment()?,
@@ -45,12 +45,14 @@ pub fn take(frames: &[FrameFiles], setup: &mut Setup) -> Result<Vec<String>> {
     }
     if let Some(first) = frames.first().and_then(|first| frame::load(first, setup).ok()) {
         setup.has_means = unfiltered::are_means(&first, setup);
-        reflectance::check(&first, setup)?;
+        reflectance::check(&first, shapes, setup)?;
     }
     let mut looked_at = pair(frames, setup);
-    if let Some(given) = &looked_at {
-        if guides::fill_gaps(given, setup)? {
-            looked_at = pair(frames, setup);
+    for finding in [ids::check, guides::fill_gaps] {
+        if let Some(given) = &looked_at {
+            if finding(given, setup)? {
+                looked_at = pair(frames, setup);
+            }
         }
     }
     if let Some(pair) = &looked_at {

@@ -4,25 +4,36 @@
 
 use crate::error::Result;
 use crate::frame::FrameInputs;
+use crate::lobes::{Shown, Surfaces, ABOVE, VARIED};
+use crate::raster::Raster;
 use crate::roles::Role;
 use crate::setup::Setup;
 
-/// A little more is rounding, or a painter's colour.
-const ABOVE: f32 = 1.05;
-/// The share of the picture from which on it is left out.
+/// The share of the picture from which on something is done about it.
 const WORTH: f32 = 0.005;
-
-/// The least relative difference of pixels beside each other in a lobe.
-const VARIED: f32 = 0.01;
 
 const ALBEDOS: [(&str, &[Role]); 2] =
     [("albedo", &[Role::Albedo, Role::DiffuseColour]), ("specular_albedo", &[Role::SpecularAlbedo])];
 
-/// Leaves out albedos that are lobes.
+/// Parts the light of surfaces without an albedo from that of others, or leaves albedos out that are lobes. `shapes`: numbers of surfaces.
 ///
 /// # Errors
 /// Light that cannot be filtered without them.
-pub fn check(frame: &FrameInputs, setup: &mut Setup) -> Result<()> {
+pub fn check(frame: &FrameInputs, shapes: Option<Vec<f32>>, setup: &mut Setup) -> Result<()> {
+    let images = ["albedo", "normal", "depth"].map(|name| frame.images.get(name));
+    if let ([Some(albedo), Some(normals), Some(depth)], true) = (images, setup.may_have_lobes()) {
+        let (raster, far) = (Raster::new(frame.params.render_extent), setup.config.conventions.background_depth);
+        let shown = Surfaces { raster, albedo, normals, depth, far, numbers: shapes }.shown();
+        let share = shown.iter().filter(|shown| **shown == Shown::Lobe).count() as f32 / shown.len().max(1) as f32;
+        if share > WORTH {
+            setup.part_lobes()?;
+            setup.note(format!(
+                "  note: {:.0} % of the picture has no albedo, as mirrors, glass and metal have none: its light is filtered apart, as specular light",
+                100.0 * share
+            ));
+            return Ok(());
+        }
+    }
     for (name, roles) in ALBEDOS {
         let is_open = roles.iter().any(|role| setup.mapping.has(*role) && !setup.is_named(*role));
         let Some(texels) = frame.images.get(name).filter(|_| is_open) else { continue };

@@ -11,6 +11,7 @@ mod guide_tests;
 mod keep_tests;
 mod layout_tests;
 mod light_tests;
+mod lobe_tests;
 mod look_tests;
 mod module_tests;
 mod name_tests;
