@@ -59,6 +59,9 @@ pub fn of_layout(mapping: &Mapping) -> Conventions {
         Layout::Blender => {
             c.background_depth = BLENDER_BACKGROUND;
             c.motion_y_up = true;
+            if mapping.is_for_denoisers(Role::Normal) {
+                c.normal_space = NormalSpace::View;
+            }
         }
         Layout::Mitsuba => c.depth = DepthEncoding::RayLength,
         // The film stores camera space unless told otherwise, and that looks along +z.

@@ -7,9 +7,10 @@ use crate::frame_files::FrameFiles;
 use crate::frame_images::{rgb, Channels, Texels};
 use crate::frame_source::{self, First};
 use crate::gaps;
-use crate::lobes;
+use crate::lobes::{self, Told};
 use crate::memory;
 use crate::negative;
+use crate::paths::Through;
 use crate::range::Excess;
 use crate::raster::Raster;
 use crate::roles::Role;
@@ -46,8 +47,8 @@ pub struct FrameInputs {
     pub instance_transforms: Option<Vec<InstanceTransform>>,
     /// Surface ids.
     pub surface_id: Option<Vec<u32>>,
-    /// Depth of what is seen through flat glass, where there is some.
-    pub through: Option<Vec<Option<f32>>>,
+    /// What is seen through flat glass, where that is known.
+    pub through: Option<Through>,
     /// Classes of materials.
     pub material_class: Option<Vec<u32>>,
     /// Surface ids of what is seen in the surfaces.
@@ -91,29 +92,33 @@ pub fn load(files: &FrameFiles, setup: &Setup) -> Result<FrameInputs> {
     let camera = setup.camera(files.number);
     let mut images = BTreeMap::new();
     fill(&mut channels, camera, &mut images);
-    let raster = Raster::new(setup.config.allocated_extent);
-    let far = setup.config.conventions.background_depth;
-    let kinds = setup.has_lobes.then(|| lobes::part(&mut images, raster, far, channels.shapes())).flatten();
-    for (_, texels) in images.iter_mut().filter(|(name, _)| setup.smoothed.contains(*name)) {
-        *texels = smooth(texels, setup.config.allocated_extent[0] as usize);
-    }
-    let negative = if setup.is_verbatim() { 0 } else { even_out(&mut images, setup) };
     let params = FrameParams { light_offset: setup.light_offset(files.number), ..params(setup, camera) };
-    let (given, instance_transforms) = (channels.surface_ids(&images), transforms(&files.colour)?);
-    let mut surface_id = match kinds {
-        // Transforms are found by the ids as they are.
-        Some(kinds) if instance_transforms.is_none() => Some(lobes::told_apart(given, kinds)),
-        _ => given,
-    };
-    let hit_id = channels.hit_ids(&images);
+    let mut surface_id = channels.surface_ids(&images);
     if let Some((beyond, depths)) = setup.beyond.zip(images.get_mut("depth")) {
         let raster = Raster::new(setup.config.allocated_extent);
         gaps::fill(depths, surface_id.as_mut(), raster, setup.config.conventions.background_depth, beyond);
     }
-    let through = match (&surface_id, camera) {
-        (Some(ids), Some(_)) => channels.follow_paths(&params, ids, &mut images),
-        _ => None,
-    };
+    let instance_transforms = transforms(&files.colour)?;
+    let has_camera = camera.is_some();
+    let mut through = None;
+    if setup.has_lobes {
+        through = follow_paths(&mut channels, has_camera, &params, surface_id.as_deref(), &mut images);
+        let kinds = lobes::part(&mut images, told(&channels, through.as_ref()));
+        surface_id = match kinds {
+            // Transforms are found by the ids as they are.
+            Some(kinds) if instance_transforms.is_none() => Some(lobes::told_apart(surface_id, kinds)),
+            _ => surface_id,
+        };
+    }
+    // Lengths of normals tell outlines above.
+    for (_, texels) in images.iter_mut().filter(|(name, _)| setup.smoothed.contains(*name)) {
+        *texels = smooth(texels, setup.config.allocated_extent[0] as usize);
+    }
+    let negative = if setup.is_verbatim() { 0 } else { even_out(&mut images, setup) };
+    let hit_id = channels.hit_ids(&images);
+    if !setup.has_lobes {
+        through = follow_paths(&mut channels, has_camera, &params, surface_id.as_deref(), &mut images);
+    }
     let occluder_ids = std::array::from_fn(|light| channels.occluder_ids(&images, light));
     let noisy = channels.total(&images);
     let alpha = channels.scalars(Role::Alpha);
@@ -157,6 +162,27 @@ pub fn load(files: &FrameFiles, setup: &Setup) -> Result<FrameInputs> {
         drop_samples(pattern, &mut inputs, setup.config.allocated_extent[0] as usize);
     }
     Ok(inputs)
+}
+
+/// What tells surfaces that have no albedo of their own.
+pub fn told(channels: &Channels<'_>, through: Option<&Through>) -> Told {
+    Told {
+        raster: Raster::new(channels.setup.config.allocated_extent),
+        far: channels.setup.config.conventions.background_depth,
+        numbers: channels.shapes(),
+        windows: through.and_then(|through| through.windows.clone()),
+    }
+}
+
+/// [`Channels::follow_paths`] where cameras and ids are known.
+fn follow_paths(
+    channels: &mut Channels<'_>,
+    has_camera: bool,
+    params: &FrameParams,
+    ids: Option<&[u32]>,
+    images: &mut BTreeMap<&'static str, Texels>,
+) -> Option<Through> {
+    channels.follow_paths(params, ids.filter(|_| has_camera)?, images)
 }
 
 /// Evens out negative light. Returns the number of its pixels, in the image that has most.

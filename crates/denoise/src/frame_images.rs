@@ -3,7 +3,7 @@
 use crate::camera::Camera;
 use crate::exr_read::Samples;
 use crate::layouts::Layout;
-use crate::paths::{self, Paths};
+use crate::paths::{self, Paths, Through};
 use crate::projection::Projection;
 use crate::raster::Raster;
 use crate::roles::Role;
@@ -170,7 +170,11 @@ impl Channels<'_> {
             images.extend(self.vectors(Role::HitDistance).map(|d| ("specular_hit_distance", d)));
             images.extend(self.vectors(Role::HitMotion).map(|m| (Input::SPECULAR_MOTION.name, m)));
         }
-        let normal = self.vectors(Role::Normal).unwrap_or_else(|| vec![[0.0, 0.0, 1.0, 0.0]; pixels]);
+        let mut normal = self.vectors(Role::Normal).unwrap_or_else(|| vec![[0.0, 0.0, 1.0, 0.0]; pixels]);
+        if self.setup.mapping.layout == Layout::Blender && self.setup.mapping.is_for_denoisers(Role::Normal) {
+            // Their space looks along +z.
+            normal.iter_mut().for_each(|n| n[2] = -n[2]);
+        }
         images.insert("normal", normal);
         images.extend(self.vectors(Role::ObjectNormal).map(|n| ("object_normal", n)));
         let mut depth = self.vectors(Role::Depth).or_else(|| self.depth_of_positions(camera));
@@ -180,6 +184,7 @@ impl Channels<'_> {
         images.insert("depth", depth.unwrap_or_else(|| vec![[1.0; 4]; pixels]));
         let albedo = self.albedo(has_coat, images);
         images.extend(albedo.map(|a| ("albedo", a)));
+        self.lamps(images);
         if let Some(motion) = self.motion(camera.is_some()) {
             images.insert("motion", motion);
         }
@@ -212,24 +217,50 @@ impl Channels<'_> {
         Some(without(&without(&all, &emission), &hidden))
     }
 
-    /// Adds what is seen in mirrors to the images. Returns the depth of what is seen through flat glass. Neither where lines of sight are parallel.
+    /// Without a pass of emission, lamps are where Blender's albedo for denoisers is above 1.
+    fn lamps(&mut self, images: &mut BTreeMap<&'static str, Texels>) {
+        let mapping = &self.setup.mapping;
+        if mapping.has(Role::Emission) || !mapping.is_for_denoisers(Role::Albedo) || self.setup.config.light_extent.is_some() {
+            return;
+        }
+        let Some(albedo) = images.get("albedo") else { return };
+        let above: Texels = albedo.iter().map(|texel| texel.map(|v| (v - 1.0).max(0.0))).collect();
+        let light = ["noisy_radiance", "noisy_diffuse", "noisy_indirect"].into_iter().find(|name| images.contains_key(name));
+        if let Some(light) = light.filter(|_| above.iter().any(|texel| texel[..3] != [0.0; 3])) {
+            images.entry("emission").or_insert_with(|| vec![[0.0; 4]; above.len()]);
+            move_to_emission(images, light, &above);
+        }
+    }
+
+    fn path_lengths(&mut self) -> Option<Vec<f32>> {
+        let scale = self.setup.scales.depth;
+        Some(self.scalars(Role::PathLength)?.into_iter().map(|length| length * scale).collect())
+    }
+
+    /// Adds what is seen in mirrors to the images. Returns what is seen through flat glass. Neither where lines of sight are parallel.
     pub fn follow_paths(
         &mut self,
         params: &FrameParams,
         ids: &[u32],
         images: &mut BTreeMap<&'static str, Texels>,
-    ) -> Option<Vec<Option<f32>>> {
+    ) -> Option<Through> {
         let camera = Projection::new(params, params, &self.setup.config.conventions);
         if !camera.is_perspective() {
             return None;
         }
-        let lengths = self.scalars(Role::PathLength)?;
-        let lengths: Vec<f32> = lengths.into_iter().map(|length| length * self.setup.scales.depth).collect();
-        let (base, coat) = (self.vectors(Role::DiffuseColour)?, self.vectors(Role::SpecularAlbedo)?);
-        let transmits = Transmission::new(self.setup, ids, &base, images)?.pixels();
+        let lengths = self.path_lengths()?;
         let raster = Raster::new(self.setup.config.allocated_extent);
+        let passes = self.vectors(Role::DiffuseColour).zip(self.vectors(Role::SpecularAlbedo));
+        let Some((base, coat)) = passes else {
+            // A mirror shows what is straight on behind it, as glass does.
+            let paths = Paths::new(raster, camera, &lengths, ids, &[], vec![true; ids.len()], images)?;
+            let windows = paths.windows();
+            let depth = paths.through().into_iter().zip(&windows).map(|(depth, is_window)| depth.filter(|_| *is_window));
+            return Some(Through { depth: depth.collect(), windows: Some(windows) });
+        };
+        let transmits = Transmission::new(self.setup, ids, &base, images)?.pixels();
         let paths = Paths::new(raster, camera, &lengths, ids, &base, transmits, images)?;
-        let through = paths.through();
+        let depth = paths.through();
         if self.setup.config.signals == Signals::Specular {
             let mirrors = paths.mirrors(&coat);
             let lamps = self.albedo_of_surfaces().map(|all| paths.emission(&all, &coat));
@@ -238,7 +269,7 @@ impl Channels<'_> {
                 move_to_emission(images, "noisy_specular", &lamps);
             }
         }
-        Some(through)
+        Some(Through { depth, windows: None })
     }
 
     /// The previous frame's samples in the scene of this frame; absent in the first frame.

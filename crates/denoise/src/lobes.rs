@@ -52,31 +52,50 @@ impl Shown {
     }
 }
 
-/// Surfaces of a frame.
-pub struct Surfaces<'a> {
+/// Knowledge of the surfaces of a frame beside its images.
+pub struct Told {
     pub raster: Raster,
-    pub albedo: &'a Texels,
-    /// Of length 1 where a pixel shows one surface.
-    pub normals: &'a Texels,
-    pub depth: &'a Texels,
-    /// Depth from which on there is none.
+    /// Depth from which on there is no surface.
     pub far: f32,
-    /// Their numbers; means of several at outlines.
+    /// Numbers of surfaces; means of several at outlines.
     pub numbers: Option<Vec<f32>>,
+    /// Flat mirrors and flat glass, where the albedo is that of what is seen, and not black.
+    pub windows: Option<Vec<bool>>,
+}
+
+/// Surfaces of a frame.
+struct Surfaces<'a> {
+    told: Told,
+    albedo: &'a Texels,
+    /// Of length 1 where a pixel shows one surface.
+    normals: &'a Texels,
+    depth: &'a Texels,
+}
+
+/// Of each pixel, what it shows; `None` without the images that tell.
+pub fn shown(images: &BTreeMap<&'static str, Texels>, told: Told) -> Option<Vec<Shown>> {
+    let [albedo, normals, depth] = ["albedo", "normal", "depth"].map(|name| images.get(name));
+    Some(Surfaces { told, albedo: albedo?, normals: normals?, depth: depth? }.shown())
 }
 
 impl Surfaces<'_> {
-    /// Of each pixel, what it shows.
-    pub fn shown(&self) -> Vec<Shown> {
+    fn shown(&self) -> Vec<Shown> {
         let surfaces = self.numbered();
-        let of_lobes = self.of_lobes(&surfaces);
+        let is_none = match &self.told.windows {
+            Some(windows) => windows.clone(),
+            None => {
+                let of_lobes = self.of_lobes(&surfaces);
+                let is_none = |i: usize| is_black(&self.albedo[i]) || of_lobes.get(&surfaces[i]) == Some(&true);
+                (0..surfaces.len()).map(is_none).collect()
+            }
+        };
         let of_one = |i: usize| match surfaces[i] {
             OPEN => Shown::Background,
-            surface if is_black(&self.albedo[i]) || of_lobes.get(&surface) == Some(&true) => Shown::Lobe,
+            _ if is_none[i] => Shown::Lobe,
             _ => Shown::Diffuse,
         };
         let of_several = |i: usize| {
-            let around = |reach: usize| self.raster.around(i, reach).filter(|j| surfaces[*j] != SEVERAL);
+            let around = |reach: usize| self.told.raster.around(i, reach).filter(|j| surfaces[*j] != SEVERAL);
             let has_two = |reach: &usize| {
                 let first = around(*reach).next();
                 first.is_some_and(|first| around(*reach).any(|j| surfaces[j] != surfaces[first]))
@@ -98,17 +117,17 @@ impl Surfaces<'_> {
     /// Of each pixel, the number of its surface.
     fn numbered(&self) -> Vec<u32> {
         let is_one = |i: usize| self.normal(i).length() > OF_ONE;
-        let number = |i: usize| match &self.numbers {
+        let number = |i: usize| match &self.told.numbers {
             None if is_one(i) => None,
             // A mean may be whole as well, but no pixel around it has that number.
             Some(numbers) if numbers[i].fract() == 0.0 => {
-                let is_so = self.raster.around(i, 1).any(|j| is_one(j) && numbers[j] == numbers[i]);
+                let is_so = self.told.raster.around(i, 1).any(|j| is_one(j) && numbers[j] == numbers[i]);
                 Some(if is_so { (numbers[i] as u32).saturating_add(1).min(SEVERAL - 1) } else { SEVERAL })
             }
             _ => Some(SEVERAL),
         };
-        let of = |i: usize| if gaps::is_surface(self.depth[i][0], self.far) { number(i) } else { Some(OPEN) };
-        self.connected((0..self.raster.pixels()).map(of).collect())
+        let of = |i: usize| if gaps::is_surface(self.depth[i][0], self.told.far) { number(i) } else { Some(OPEN) };
+        self.connected((0..self.told.raster.pixels()).map(of).collect())
     }
 
     /// Numbers those that have none, by the pixels beside each other that are alike.
@@ -126,7 +145,7 @@ impl Surfaces<'_> {
             numbers[start] = Some(number);
             open.push(start);
             while let Some(i) = open.pop() {
-                for j in self.raster.beside(i).filter(|j| is_same(i, *j)) {
+                for j in self.told.raster.beside(i).filter(|j| is_same(i, *j)) {
                     if numbers[j].is_none() {
                         numbers[j] = Some(number);
                         open.push(j);
@@ -143,7 +162,7 @@ impl Surfaces<'_> {
         for (i, surface) in surfaces.iter().enumerate().filter(|(_, surface)| !matches!(**surface, OPEN | SEVERAL)) {
             let own = largest(&self.albedo[i]);
             let differs = |j: usize| surfaces[j] == *surface && (largest(&self.albedo[j]) - own).abs() > VARIED * own;
-            let is_above = own > ABOVE && self.raster.beside(i).any(differs);
+            let is_above = own > ABOVE && self.told.raster.beside(i).any(differs);
             let [pixels, above, dark] = counts.entry(*surface).or_default();
             *pixels += 1.0;
             *above += f32::from(u8::from(is_above));
@@ -156,13 +175,15 @@ impl Surfaces<'_> {
 
 /// Parts the light in `noisy_diffuse` into that of surfaces with an albedo and that of others. Returns 1 for the former and 2 for the latter; 0 in
 /// the background.
-pub fn part(images: &mut BTreeMap<&'static str, Texels>, raster: Raster, far: f32, numbers: Option<Vec<f32>>) -> Option<Vec<u32>> {
-    let given = ["noisy_diffuse", "albedo", "normal", "depth"].map(|name| images.get(name));
-    let [Some(light), Some(albedo), Some(normals), Some(depth)] = given else { return None };
-    let shown = Surfaces { raster, albedo, normals, depth, far, numbers }.shown();
+pub fn part(images: &mut BTreeMap<&'static str, Texels>, told: Told) -> Option<Vec<u32>> {
+    let is_known = told.windows.is_some();
+    let shown = shown(images, told)?;
+    let [light, albedo] = ["noisy_diffuse", "albedo"].map(|name| images.get(name));
+    let (light, albedo) = (light?, albedo?);
     let of = |image: &Texels, has_albedo: bool| -> Texels {
         image.iter().zip(&shown).map(|(texel, shown)| if shown.has_albedo() == has_albedo { *texel } else { [0.0; 4] }).collect()
     };
+    let white = vec![[1.0; 4]; light.len()];
     let kind = |shown: &Shown| match shown {
         Shown::Background => 0,
         shown => 1 + u32::from(!shown.has_albedo()),
@@ -172,7 +193,7 @@ pub fn part(images: &mut BTreeMap<&'static str, Texels>, raster: Raster, far: f3
         ("noisy_diffuse", of(light, true)),
         ("noisy_specular", of(light, false)),
         ("albedo", of(albedo, true)),
-        ("specular_albedo", of(&vec![[1.0; 4]; light.len()], false)),
+        ("specular_albedo", of(if is_known { albedo } else { &white }, false)),
     ];
     images.extend(parts);
     Some(kinds)
@@ -198,8 +219,8 @@ mod tests {
         let (albedo, depth) = (texels(|p| [p.0, p.0, p.0, 0.0]), texels(|p| [p.2; 4]));
         let normals = texels(|p| [0.0, 0.0, p.1, 0.0]);
         let numbers = has_numbers.then(|| row.map(|p| p.3).to_vec());
-        Surfaces { raster: Raster::new([N as u32, 1]), albedo: &albedo, normals: &normals, depth: &depth, far: 1e9, numbers }
-            .shown()
+        let told = Told { raster: Raster::new([N as u32, 1]), far: 1e9, numbers, windows: None };
+        Surfaces { told, albedo: &albedo, normals: &normals, depth: &depth }.shown()
     }
 
     #[test]

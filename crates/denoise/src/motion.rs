@@ -67,7 +67,7 @@ fn with_motions(frame: &FrameInputs, before: &FrameParams, c: &Conventions, moti
 pub fn see_through(frame: &mut FrameInputs, before: &FrameParams, c: &Conventions) {
     let Some(mut motions) = frame.images.remove("motion") else { return };
     let projection = Projection::new(&frame.params, before, c);
-    for (i, (motion, depth)) in motions.iter_mut().zip(frame.through.iter().flatten()).enumerate() {
+    for (i, (motion, depth)) in motions.iter_mut().zip(frame.through.iter().flat_map(|through| &through.depth)).enumerate() {
         let Some(z) = *depth else { continue };
         let seen = projection.encoded(projection.previous(projection.middle(i), z).0);
         if seen.is_finite() {

@@ -28,8 +28,19 @@ const ASIDE: usize = 2;
 const SIDE: usize = 3;
 /// How much a normal may turn over the way that light goes on, in radians: glass is a lens otherwise, and a mirror curved.
 const FLAT: f32 = 0.1;
+/// How far 1/depth may depart from the mean of two pixels to each side, as a part of twice itself.
+const BENT: f32 = 1e-4;
 /// A shorter normal is a mean of several.
 const OF_ONE: f32 = 0.98;
+
+/// What is seen in flat mirrors and through flat glass.
+#[derive(Debug)]
+pub struct Through {
+    /// Its depth, straight on.
+    pub depth: Vec<Option<f32>>,
+    /// Pixels of such mirrors and glass, where paths alone tell them.
+    pub windows: Option<Vec<bool>>,
+}
 
 /// Surfaces, and how long paths go on behind them.
 pub struct Paths<'a> {
@@ -99,6 +110,37 @@ impl<'a> Paths<'a> {
             (beyond > 0.0 && self.transmits[i] && self.is_flat(i)).then(|| self.camera.depth(i, self.first[i] + beyond))
         };
         (0..self.raster.pixels()).map(depth).collect()
+    }
+
+    /// Where something is seen in mirrors and through glass, on surfaces that are mostly flat there. Normals for denoisers are of what is seen.
+    pub fn windows(&self) -> Vec<bool> {
+        let mut counts: BTreeMap<u32, [usize; 2]> = BTreeMap::new();
+        for i in (0..self.raster.pixels()).filter(|i| self.beyond[*i] > 0.0) {
+            let Some(is_plane) = self.is_plane(i) else { continue };
+            let [all, flat] = counts.entry(self.ids[i]).or_default();
+            (*all, *flat) = (*all + 1, *flat + usize::from(is_plane));
+        }
+        let is_flat = |id: &u32| counts.get(id).is_some_and(|[all, flat]| 2 * flat > *all);
+        let is_window = |i: usize| is_flat(&self.ids[i]) && self.is_beside(i, |j| self.beyond[j] > 0.0);
+        (0..self.raster.pixels()).map(is_window).collect()
+    }
+
+    /// Whether 1/depth is linear around a pixel, as on a plane; `None` where other surfaces are near.
+    fn is_plane(&self, pixel: usize) -> Option<bool> {
+        let [x, y] = self.raster.place(pixel);
+        let nearness = |i: usize| 1.0 / self.camera.depth(i, self.first[i]);
+        let (mut sums, mut counts) = ([0.0; 2], [0; 2]);
+        for j in self.raster.around(pixel, SIDE).filter(|j| self.ids[*j] == self.ids[pixel]) {
+            let [jx, jy] = self.raster.place(j);
+            let axis = match (jx.abs_diff(x), jy.abs_diff(y)) {
+                (SIDE, 0) => 0,
+                (0, SIDE) => 1,
+                _ => continue,
+            };
+            (sums[axis], counts[axis]) = (sums[axis] + nearness(j), counts[axis] + 1);
+        }
+        let own = nearness(pixel);
+        (counts == [2; 2]).then(|| sums.iter().all(|sum| (sum - 2.0 * own).abs() < BENT * own))
     }
 
     /// Light of lamps and of the sky that is seen in flat mirrors: what `all`, Blender's albedo for denoisers, has there beyond what is reflected of

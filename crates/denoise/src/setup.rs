@@ -241,7 +241,10 @@ impl Setup {
     pub fn may_have_lobes(&self) -> bool {
         let (config, mapping) = (&self.config, &self.mapping);
         let is_whole = config.signals == Signals::Together && config.light_extent.is_none() && config.preset != Preset::Stabilize;
-        let is_known = mapping.has(Role::Albedo) && !mapping.is_for_denoisers(Role::Albedo) && mapping.has(Role::Normal);
+        // Blender's albedo for denoisers is that of what is seen in mirrors and through glass: the lengths of paths tell these.
+        let has_paths = mapping.has(Role::PathLength) && mapping.has(Role::Id) && self.sequence.is_some();
+        let tells = !mapping.is_for_denoisers(Role::Albedo) || has_paths;
+        let is_known = mapping.has(Role::Albedo) && tells && mapping.has(Role::Normal);
         let is_wished = self.options.config.has("signals") || self.is_verbatim();
         is_whole && is_known && config.conventions.normal == NormalEncoding::Xyz && !is_wished
     }

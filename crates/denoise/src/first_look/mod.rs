@@ -33,9 +33,10 @@ pub fn take(frames: &[FrameFiles], setup: &mut Setup) -> Result<Vec<String>> {
     if setup.is_verbatim() {
         return Ok(conventions(frames, setup));
     }
-    let channels = frames.first().and_then(|first| frame::channels(first, setup).ok());
-    let shapes = channels.as_ref().and_then(|(channels, _)| channels.shapes());
-    let findings = channels.map_or_else(Vec::new, |(channels, _)| parts::look(channels, setup));
+    let findings = match frames.first().map(|first| frame::channels(first, setup)) {
+        Some(Ok((channels, _))) => parts::look(channels, setup),
+        _ => Vec::new(),
+    };
     for finding in findings {
         match finding.roles.as_slice() {
             [Role::Environment] => setup.hide_environment()?,
@@ -43,9 +44,9 @@ pub fn take(frames: &[FrameFiles], setup: &mut Setup) -> Result<Vec<String>> {
         }
         setup.note(finding.note);
     }
-    if let Some(first) = frames.first().and_then(|first| frame::load(first, setup).ok()) {
+    if let Some((files, first)) = frames.first().and_then(|first| Some((first, frame::load(first, setup).ok()?))) {
         setup.has_means = unfiltered::are_means(&first, setup);
-        reflectance::check(&first, shapes, setup)?;
+        reflectance::check(files, &first, setup)?;
     }
     let mut looked_at = pair(frames, setup);
     for finding in [ids::check, guides::fill_gaps] {

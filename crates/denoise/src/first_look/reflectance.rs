@@ -3,9 +3,9 @@
 //! above 1 all over a surface is a wrong number, and counts as 1.
 
 use crate::error::Result;
-use crate::frame::FrameInputs;
-use crate::lobes::{Shown, Surfaces, ABOVE, VARIED};
-use crate::raster::Raster;
+use crate::frame::{self, FrameInputs};
+use crate::frame_files::FrameFiles;
+use crate::lobes::{self, Shown, ABOVE, VARIED};
 use crate::roles::Role;
 use crate::setup::Setup;
 
@@ -15,24 +15,19 @@ const WORTH: f32 = 0.005;
 const ALBEDOS: [(&str, &[Role]); 2] =
     [("albedo", &[Role::Albedo, Role::DiffuseColour]), ("specular_albedo", &[Role::SpecularAlbedo])];
 
-/// Parts the light of surfaces without an albedo from that of others, or leaves albedos out that are lobes. `shapes`: numbers of surfaces.
+/// Parts the light of surfaces without an albedo from that of others, or leaves albedos out that are lobes.
 ///
 /// # Errors
 /// Light that cannot be filtered without them.
-pub fn check(frame: &FrameInputs, shapes: Option<Vec<f32>>, setup: &mut Setup) -> Result<()> {
-    let images = ["albedo", "normal", "depth"].map(|name| frame.images.get(name));
-    if let ([Some(albedo), Some(normals), Some(depth)], true) = (images, setup.may_have_lobes()) {
-        let (raster, far) = (Raster::new(frame.params.render_extent), setup.config.conventions.background_depth);
-        let shown = Surfaces { raster, albedo, normals, depth, far, numbers: shapes }.shown();
-        let share = shown.iter().filter(|shown| **shown == Shown::Lobe).count() as f32 / shown.len().max(1) as f32;
-        if share > WORTH {
-            setup.part_lobes()?;
-            setup.note(format!(
-                "  note: {:.0} % of the picture has no albedo, as mirrors, glass and metal have none: its light is filtered apart, as specular light",
-                100.0 * share
-            ));
-            return Ok(());
-        }
+pub fn check(files: &FrameFiles, frame: &FrameInputs, setup: &mut Setup) -> Result<()> {
+    let share = without_albedo(files, frame, setup).unwrap_or(0.0);
+    if share > WORTH {
+        setup.part_lobes()?;
+        setup.note(format!(
+            "  note: {:.0} % of the picture has no albedo of its own, as mirrors, glass and metal have none: its light is filtered apart, as specular light",
+            100.0 * share
+        ));
+        return Ok(());
     }
     for (name, roles) in ALBEDOS {
         let is_open = roles.iter().any(|role| setup.mapping.has(*role) && !setup.is_named(*role));
@@ -51,4 +46,14 @@ pub fn check(frame: &FrameInputs, shapes: Option<Vec<f32>>, setup: &mut Setup) -
         }
     }
     Ok(())
+}
+
+/// The share of the picture that has no albedo, where its light may be parted.
+fn without_albedo(files: &FrameFiles, frame: &FrameInputs, setup: &Setup) -> Option<f32> {
+    if !setup.may_have_lobes() {
+        return None;
+    }
+    let (channels, _) = frame::channels(files, setup).ok()?;
+    let shown = lobes::shown(&frame.images, frame::told(&channels, frame.through.as_ref()))?;
+    Some(shown.iter().filter(|shown| **shown == Shown::Lobe).count() as f32 / shown.len().max(1) as f32)
 }

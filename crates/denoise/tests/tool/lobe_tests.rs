@@ -40,7 +40,7 @@ fn light_without_an_albedo_is_filtered_apart() {
         let input = with_ball(2, has_ids, change);
         let setup = looked_at(input.path()).0;
         assert!(setup.has_lobes && setup.config.signals == Signals::Specular, "{:?}", setup.report);
-        assert!(setup.report.iter().any(|line| line.contains("has no albedo")), "{:?}", setup.report);
+        assert!(setup.report.iter().any(|line| line.contains("has no albedo of its own")), "{:?}", setup.report);
         let frame = loaded(input.path(), &setup, 1);
         let seen = Scene::default().frame(1).pixels;
         let [diffuse, specular, albedo, coat] =

@@ -2,6 +2,8 @@
 
 use super::look_tests::folder;
 use crate::samples::{frame_path, Sample, Type};
+use atrous::config::NormalSpace;
+use atrous_denoise::first_look;
 use atrous_denoise::frame::FrameInputs;
 use atrous_denoise::frame_files;
 use atrous_denoise::loader::Loader;
@@ -77,6 +79,11 @@ fn frames(sequence: Sequence) -> tempfile::TempDir {
         }
         sample.write(&frame_path(folder.path(), number));
     }
+    write_cameras(folder.path(), is_perspective);
+    folder
+}
+
+fn write_cameras(folder: &std::path::Path, is_perspective: bool) {
     let camera = |i: u32| {
         format!(
             r#"{{"i": {i}, "view": [[1, 0, 0, {}], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]],
@@ -87,9 +94,7 @@ fn frames(sequence: Sequence) -> tempfile::TempDir {
             if is_perspective { "-1, 0" } else { "0, 1" }
         )
     };
-    std::fs::write(folder.path().join("sequence.json"), format!(r#"{{"frames": [{}, {}]}}"#, camera(1), camera(2)))
-        .expect("written");
-    folder
+    std::fs::write(folder.join("sequence.json"), format!(r#"{{"frames": [{}, {}]}}"#, camera(1), camera(2))).expect("written");
 }
 
 /// The second frame.
@@ -175,4 +180,92 @@ fn given_distances_stay() {
     let inputs = loaded(FLAT, &[given]);
     assert_eq!(at(&inputs, "specular_hit_distance", MIRROR), DEPTH);
     assert!(!inputs.images.contains_key("roughness"));
+}
+
+/// The same surfaces with the passes for denoisers alone. `bulge`: of the mirror, over the square of columns from its middle.
+fn frames_for_denoisers(bulge: f32, albedo_of_wall: f32, emits: bool) -> tempfile::TempDir {
+    let folder = folder();
+    let ray = |x: i32, y: i32| {
+        let at = |place: i32, side: u32, focal: f32| ((place as f32 + 0.5) / side as f32 * 2.0 - 1.0) / focal;
+        (1.0 + at(x, WIDTH, FOCAL[0]).powi(2) + at(y, HEIGHT, FOCAL[1]).powi(2)).sqrt()
+    };
+    let depth = move |x: i32| DEPTH + if x / 12 == 1 { bulge * (x as f32 - 17.5).powi(2) } else { 0.0 };
+    let length = move |x: i32, y: i32| match x / 12 {
+        0 => DEPTH * ray(x, y),
+        1 => (depth(x) + IN_MIRROR) * ray(x, y),
+        _ => BEHIND * ray(x, y),
+    };
+    for number in 1..=2 {
+        let mut sample = Sample::new(WIDTH as usize, HEIGHT as usize)
+            .channel("ViewLayer.Depth.Z", Type::Float, move |x, _| depth(x))
+            .channel("ViewLayer.Denoising Depth.Z", Type::Float, length)
+            .flat("ViewLayer.Vector.X", Type::Float, FOCAL[0] * WIDTH as f32 / 2.0 * STEP / DEPTH)
+            .flat("ViewLayer.Vector.Y", Type::Float, 0.0)
+            .channel("ViewLayer.Denoising Normal.X", Type::Float, |_, _| 0.0)
+            .channel("ViewLayer.Denoising Normal.Y", Type::Float, |_, _| 0.0)
+            .channel("ViewLayer.Denoising Normal.Z", Type::Float, |_, _| -1.0)
+            .channel("ViewLayer.IndexOB.X", Type::Float, |x, _| (1 + x / 12) as f32);
+        for c in ["R", "G", "B"] {
+            let albedo = move |x: i32, _: i32| [albedo_of_wall, 0.25, 0.5][x as usize / 12];
+            let light = move |x: i32, _: i32| [6.0, 0.75, 0.75][x as usize / 12];
+            sample = sample.channel(&format!("ViewLayer.Denoising Albedo.{c}"), Type::Float, albedo);
+            sample = sample.channel(&format!("ViewLayer.Combined.{c}"), Type::Float, light);
+            if emits {
+                sample = sample.flat(&format!("ViewLayer.Emit.{c}"), Type::Float, 0.0);
+            }
+        }
+        sample.write(&frame_path(folder.path(), number));
+    }
+    write_cameras(folder.path(), true);
+    folder
+}
+
+/// Its second frame, after the first look.
+fn looked_at(folder: &tempfile::TempDir) -> (FrameInputs, Setup) {
+    let files = frame_files::find(&[folder.path().to_owned()]).expect("frames");
+    let mut setup = Setup::new(&files, &Options::default()).expect("a setup");
+    first_look::take(&files, &mut setup).expect("a look");
+    let mut loader = Loader::new(&setup);
+    let inputs = files.iter().map(|files| loader.load(files).expect("a frame")).last().expect("two frames");
+    (inputs, setup)
+}
+
+#[test]
+fn paths_alone_tell_flat_mirrors_and_glass() {
+    let (inputs, setup) = looked_at(&frames_for_denoisers(0.0, 0.5, true));
+    assert!(setup.has_lobes, "{:?}", setup.report);
+    let of = |image: &str| [WALL, MIRROR, GLASS].map(|column| at(&inputs, image, column));
+    assert_eq!((of("noisy_diffuse"), of("noisy_specular")), ([6.0, 0.0, 0.0], [0.0, 0.75, 0.75]));
+    // The albedo is that of what is seen.
+    assert_eq!((of("albedo"), of("specular_albedo")), ([0.5, 0.0, 0.0], [0.0, 0.25, 0.5]));
+    assert_motion(&inputs, WALL, DEPTH);
+    assert_motion(&inputs, MIRROR, DEPTH + IN_MIRROR);
+    assert_motion(&inputs, GLASS, BEHIND);
+}
+
+/// What is seen in it turns with its normals, which passes for denoisers have not.
+#[test]
+fn a_mirror_whose_depth_is_bent_is_no_window() {
+    let (inputs, setup) = looked_at(&frames_for_denoisers(0.002, 0.5, true));
+    assert!(setup.has_lobes);
+    assert_eq!([at(&inputs, "noisy_specular", MIRROR), at(&inputs, "noisy_specular", GLASS)], [0.0, 0.75]);
+    assert_motion(&inputs, MIRROR, DEPTH);
+}
+
+#[test]
+fn normals_for_denoisers_are_in_the_space_of_the_camera() {
+    let (inputs, setup) = looked_at(&frames_for_denoisers(0.0, 0.5, true));
+    assert_eq!(setup.config.conventions.normal_space, NormalSpace::View);
+    assert_eq!(inputs.images["normal"][0][..3], [0.0, 0.0, 1.0]);
+}
+
+#[test]
+fn an_albedo_for_denoisers_above_1_is_a_lamp() {
+    let (inputs, _) = looked_at(&frames_for_denoisers(0.0, 5.0, false));
+    let of = |image: &str| [WALL, MIRROR, GLASS].map(|column| at(&inputs, image, column));
+    assert_eq!((of("emission"), of("noisy_diffuse")), ([4.0, 0.0, 0.0], [2.0, 0.0, 0.0]));
+    assert_eq!(of("noisy_specular"), [0.0, 0.75, 0.75]);
+    // Emission of its own says so itself.
+    let (inputs, _) = looked_at(&frames_for_denoisers(0.0, 5.0, true));
+    assert_eq!((at(&inputs, "emission", WALL), at(&inputs, "noisy_diffuse", WALL)), (0.0, 6.0));
 }
