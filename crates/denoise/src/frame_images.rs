@@ -181,7 +181,10 @@ impl Channels<'_> {
         if self.setup.config.conventions.depth != DepthEncoding::Device {
             depth.iter_mut().flatten().for_each(|z| z[0] *= self.setup.scales.depth);
         }
-        images.insert("depth", depth.unwrap_or_else(|| vec![[1.0; 4]; pixels]));
+        // Without depth, nothing is where there is no normal.
+        let has_surface = |normal: &[f32; 4]| normal[..3] != [0.0; 3];
+        let depth = depth.unwrap_or_else(|| images["normal"].iter().map(|n| [f32::from(u8::from(has_surface(n))); 4]).collect());
+        images.insert("depth", depth);
         let albedo = self.albedo(has_coat, images);
         images.extend(albedo.map(|a| ("albedo", a)));
         self.lamps(images);

@@ -214,6 +214,8 @@ impl Setup {
     /// What cannot be filtered without them.
     pub fn leave_out(&mut self, roles: &[Role]) -> Result<()> {
         self.mapping.roles.retain(|role, _| !roles.contains(role));
+        // They are told by their albedo.
+        self.has_lobes &= self.mapping.has(Role::Albedo);
         self.decide()
     }
 

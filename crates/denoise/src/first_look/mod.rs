@@ -5,6 +5,7 @@ mod comparison;
 mod depth;
 mod guides;
 mod ids;
+mod moves;
 mod noise;
 mod parts;
 mod reflectance;
@@ -19,9 +20,13 @@ use crate::range::{self, Range};
 use crate::roles::Role;
 use crate::setup::Setup;
 use crate::unfiltered;
+use atrous::config::Preset;
 
 /// Alpha is called noisy where so many of its pixels are between 0 and 1, and differ from those beside.
 const NOISY_ALPHA: f32 = 0.05;
+
+/// Frames between two that are compared for slow motion.
+const APART: usize = 3;
 
 /// Looks at the first two frames, and at the last one for its range. Returns warnings. A frame that
 /// cannot be read is not looked at: the run names it when it comes to it, and keeps those before.
@@ -56,7 +61,16 @@ pub fn take(frames: &[FrameFiles], setup: &mut Setup) -> Result<Vec<String>> {
             }
         }
     }
-    if let Some(pair) = &looked_at {
+    if frames.len() > 1 && !setup.knows_motion() && setup.config.preset != Preset::Stabilize {
+        // Over several frames slow motion adds up.
+        if let [Some(first), Some(later)] =
+            [frames.first(), frames.get(APART).or(frames.last())].map(|files| frame::load(files?, setup).ok())
+        {
+            moves::check(&[first, later], setup)?;
+        }
+    }
+    // What moves in unknown ways cannot be told from noise.
+    if let Some(pair) = looked_at.as_ref().filter(|_| !setup.stills) {
         guides::check(pair, setup)?;
     }
     range(frames, setup);

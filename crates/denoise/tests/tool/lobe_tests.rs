@@ -65,6 +65,23 @@ fn light_without_an_albedo_is_filtered_apart() {
     }
 }
 
+/// In fog and out of focus an albedo is noise.
+#[test]
+fn light_stays_together_where_its_albedo_is_left_out() {
+    let input = with_ball(2, true, |seen| seen.albedo = [0.0; 3]);
+    for number in 0..2 {
+        let mut pixels = Scene::default().frame(number).pixels.to_vec();
+        for (i, seen) in pixels.iter_mut().enumerate() {
+            seen.albedo = if seen.id == BALL { [0.0; 3] } else { [samples::noise(i as i32, 5, 80 + number); 3] };
+        }
+        Frame { pixels: std::rc::Rc::new(pixels) }.plain().write(&frame_path(input.path(), number));
+    }
+    let setup = looked_at(input.path()).0;
+    assert!(!setup.mapping.has(Role::Albedo), "{:?}", setup.report);
+    assert!(!setup.has_lobes && setup.config.signals == Signals::Together);
+    loaded(input.path(), &setup, 1);
+}
+
 /// Transforms are found by the ids of the file.
 #[test]
 fn ids_with_transforms_stay_as_they_are() {

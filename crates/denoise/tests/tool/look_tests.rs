@@ -75,6 +75,48 @@ fn the_same_noise_is_found_and_said() {
 }
 
 #[test]
+fn without_depth_nothing_is_where_there_is_no_normal() {
+    let input = folder();
+    let sample = Sample::new(8, 2).flat("R G B", Type::Half, 0.5).flat("normal.X normal.Y", Type::Float, 0.0);
+    sample.channel("normal.Z", Type::Float, |x, _| if x < 4 { 0.0 } else { 1.0 }).write(&frame_path(input.path(), 0));
+    let frames = frame_files::find(&[input.path().to_owned()]).expect("frames");
+    let depth = frame::load(&frames[0], &looked_at(input.path()).0).expect("a frame").images["depth"].clone();
+    assert_eq!((depth[3][0], depth[4][0]), (0.0, 1.0));
+}
+
+/// Neither motion nor a camera is known, and the history would smear.
+#[test]
+fn pictures_that_move_in_unknown_ways_are_filtered_one_by_one() {
+    // A print that moves so many pixels in two frames, in the last columns, or noise.
+    let stills = |step: i32, columns: i32, is_noise: bool, has_motion: bool| {
+        let input = folder();
+        for number in 0..4 {
+            let shift = move |x: i32| if x >= 64 - columns { step * number as i32 / 2 } else { 0 };
+            let seed = if is_noise { 90 + number } else { 90 };
+            let print = move |x: i32, y: i32| samples::noise((x + 100 - shift(x)) / 3, y / 3, seed);
+            let light = move |x: i32, y: i32| samples::noise(x, y, number);
+            let mut sample = Sample::new(64, 48);
+            for c in ["R", "G", "B"] {
+                sample = sample.channel(c, Type::Half, light).channel(&format!("albedo.{c}"), Type::Half, print);
+            }
+            if has_motion {
+                sample = sample.flat("motion.X", Type::Float, -step as f32 / 2.0).flat("motion.Y", Type::Float, 0.0);
+            }
+            sample.write(&frame_path(input.path(), number));
+        }
+        let setup = looked_at(input.path()).0;
+        assert_eq!(setup.stills, setup.report.iter().any(|line| line.contains("neither motion nor a camera says how")));
+        setup.stills
+    };
+    assert!(stills(4, 64, false, false));
+    assert!(stills(1, 64, false, false), "slowly");
+    assert!(!stills(0, 64, false, false), "it stands still");
+    assert!(!stills(4, 64, false, true), "its motion is known");
+    assert!(!stills(4, 24, false, false), "a part of it moves");
+    assert!(!stills(0, 64, true, false), "noise is found nowhere");
+}
+
+#[test]
 fn parts_that_do_not_add_up_are_left_out() {
     let with = |share: f32| {
         move |_: u32, frame: &Frame| {
