@@ -18,6 +18,8 @@ pub const VARIED: f32 = 0.01;
 const LEAST_ABOVE: f32 = 0.005;
 /// What reflects less is no paint: half of the pixels of a lobe may lie in its tail.
 const DARK: f32 = 0.02;
+/// The same beside a pixel of a lobe.
+const DIM: f32 = 0.05;
 /// A shorter normal is a mean of several.
 const OF_ONE: f32 = 0.98;
 /// The cosine between normals of pixels beside each other that show one surface.
@@ -27,8 +29,9 @@ const SAME_DEPTH: f32 = 1.1;
 /// Pixels to each side among which the surfaces of a pixel that shows several are found: out of focus they are far apart.
 const REACH: usize = 4;
 
-/// The number of the background among surfaces, and of pixels that show several.
+/// The number of the background among surfaces, of mirrors and glass that show it, where normals are those of what is seen, and of pixels that show several.
 const OPEN: u32 = 0;
+const UNSEEN: u32 = u32::MAX - 1;
 const SEVERAL: u32 = u32::MAX;
 
 type Texels = Vec<[f32; 4]>;
@@ -86,7 +89,12 @@ impl Surfaces<'_> {
             None => {
                 let of_lobes = self.of_lobes(&surfaces);
                 let is_none = |i: usize| is_black(&self.albedo[i]) || of_lobes.get(&surfaces[i]) == Some(&true);
-                (0..surfaces.len()).map(is_none).collect()
+                let none: Vec<bool> =
+                    (0..surfaces.len()).map(|i| is_none(i) || (surfaces[i] == UNSEEN && largest(&self.albedo[i]) < DIM)).collect();
+                // Of several samples, a few may have met something else than the sky.
+                let is_beside =
+                    |i: usize| self.told.raster.around(i, 1).any(|j| none[j] && surfaces[j] != OPEN && self.is_near(i, j));
+                (0..none.len()).map(|i| none[i] || (largest(&self.albedo[i]) < DIM && is_beside(i))).collect()
             }
         };
         let of_one = |i: usize| match surfaces[i] {
@@ -110,6 +118,12 @@ impl Surfaces<'_> {
         (0..surfaces.len()).map(|i| if surfaces[i] == SEVERAL { of_several(i) } else { of_one(i) }).collect()
     }
 
+    /// Whether two pixels have nearly the same depth.
+    fn is_near(&self, i: usize, j: usize) -> bool {
+        let (a, b) = (self.depth[i][0], self.depth[j][0]);
+        a.max(b) < SAME_DEPTH * a.min(b)
+    }
+
     fn normal(&self, pixel: usize) -> glam::Vec3 {
         glam::Vec3::from_slice(&self.normals[pixel][..3])
     }
@@ -119,10 +133,11 @@ impl Surfaces<'_> {
         let is_one = |i: usize| self.normal(i).length() > OF_ONE;
         let number = |i: usize| match &self.told.numbers {
             None if is_one(i) => None,
+            None if self.normal(i) == glam::Vec3::ZERO => Some(UNSEEN),
             // A mean may be whole as well, but no pixel around it has that number.
             Some(numbers) if numbers[i].fract() == 0.0 => {
                 let is_so = self.told.raster.around(i, 1).any(|j| is_one(j) && numbers[j] == numbers[i]);
-                Some(if is_so { (numbers[i] as u32).saturating_add(1).min(SEVERAL - 1) } else { SEVERAL })
+                Some(if is_so { (numbers[i] as u32).saturating_add(1).min(UNSEEN - 1) } else { SEVERAL })
             }
             _ => Some(SEVERAL),
         };
@@ -132,10 +147,7 @@ impl Surfaces<'_> {
 
     /// Numbers those that have none, by the pixels beside each other that are alike.
     fn connected(&self, mut numbers: Vec<Option<u32>>) -> Vec<u32> {
-        let is_same = |i: usize, j: usize| {
-            let (a, b) = (self.depth[i][0], self.depth[j][0]);
-            self.normal(i).dot(self.normal(j)) > SAME && a.max(b) < SAME_DEPTH * a.min(b)
-        };
+        let is_same = |i: usize, j: usize| self.normal(i).dot(self.normal(j)) > SAME && self.is_near(i, j);
         let (mut number, mut open) = (OPEN, Vec::new());
         for start in 0..numbers.len() {
             if numbers[start].is_some() {
@@ -159,7 +171,7 @@ impl Surfaces<'_> {
     /// Of each surface, whether its albedo is none.
     fn of_lobes(&self, surfaces: &[u32]) -> BTreeMap<u32, bool> {
         let mut counts: BTreeMap<u32, [f32; 3]> = BTreeMap::new();
-        for (i, surface) in surfaces.iter().enumerate().filter(|(_, surface)| !matches!(**surface, OPEN | SEVERAL)) {
+        for (i, surface) in surfaces.iter().enumerate().filter(|(_, surface)| !matches!(**surface, OPEN | UNSEEN | SEVERAL)) {
             let own = largest(&self.albedo[i]);
             let differs = |j: usize| surfaces[j] == *surface && (largest(&self.albedo[j]) - own).abs() > VARIED * own;
             let is_above = own > ABOVE && self.told.raster.beside(i).any(differs);
@@ -268,6 +280,17 @@ mod tests {
         assert_eq!(shown([mirror, mirror, a, a, (0.5, 0.9, 3.0, 8.0), b], true)[4], Diffuse);
         // The rim of a ball that is small turns within a pixel, too.
         assert_eq!(shown([(0.5, 1.0, 3.0, 8.0), (0.0, 0.97, 3.0, 8.0), (0.0, 1.0, 3.0, 8.0)], true)[1], Lobe);
+    }
+
+    /// LuxCore's albedo and normal are those of what is seen, and the sky has none.
+    #[test]
+    fn the_sky_in_a_mirror_has_no_albedo() {
+        let (mirror, glass, wall) = ((0.0, 0.0, 2.0, 0.0), (0.04, 0.0, 2.0, 0.0), (0.5, 1.0, 4.0, 0.0));
+        let (floor, dim) = ((0.1, 1.0, 2.0, 0.0), (0.04, 1.0, 2.0, 0.0));
+        assert_eq!(shown([mirror, mirror, wall, wall], false), [Lobe, Lobe, Diffuse, Diffuse]);
+        // A few of the samples of a pixel meet the floor.
+        assert_eq!(shown([glass, dim, dim, floor, (0.1, 0.0, 2.0, 0.0)], false), [Lobe, Lobe, Diffuse, Diffuse, Diffuse]);
+        assert_eq!(shown([glass, (0.04, 1.0, 4.0, 0.0), wall], false), [Lobe, Diffuse, Diffuse], "behind it");
     }
 
     #[test]
