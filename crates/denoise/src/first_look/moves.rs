@@ -2,7 +2,10 @@
 
 use crate::error::Result;
 use crate::frame::FrameInputs;
+use crate::frame_images::Texels;
+use crate::roles::Role;
 use crate::setup::Setup;
+use crate::smooth::smooth;
 use crate::unfiltered::ALBEDO;
 
 /// Side of a tile, pixels.
@@ -25,9 +28,15 @@ const MOVED: f32 = 0.5;
 /// # Errors
 /// None that the setup did not have.
 pub fn check(pair: &[FrameInputs; 2], setup: &mut Setup) -> Result<()> {
-    let guides = [ALBEDO, "normal"].map(|name| pair.each_ref().map(|frame| frame.images.get(name)));
-    let guides: Vec<_> = guides.into_iter().filter_map(|[before, now]| Some([before?.as_slice(), now?.as_slice()])).collect();
     let [width, height] = pair[1].params.render_extent.map(|side| side as usize);
+    let roles = [(ALBEDO, Role::Albedo), ("normal", Role::Normal)];
+    let given = roles.into_iter().filter(|(_, role)| setup.mapping.has(*role));
+    let guides = given.map(|(name, _)| pair.each_ref().map(|frame| frame.images.get(name).cloned()));
+    let mut guides: Vec<[Texels; 2]> = guides.filter_map(|[before, now]| Some([before?, now?])).collect();
+    if guides.is_empty() {
+        guides.push(pair.each_ref().map(|frame| blurred(&frame.noisy, width)));
+    }
+    let guides: Vec<_> = guides.iter().map(|pair| pair.each_ref().map(Vec::as_slice)).collect();
     let places = |side: usize| (0..(side + 1).saturating_sub(TILE)).step_by(TILE.max(side / TILES));
     let tiles = places(height).flat_map(|y| places(width).map(move |x| [x, y]));
     let moved: Vec<bool> = tiles.filter_map(|tile| has_moved(&guides, [width, height], tile)).collect();
@@ -40,6 +49,12 @@ pub fn check(pair: &[FrameInputs; 2], setup: &mut Setup) -> Result<()> {
         ));
     }
     Ok(())
+}
+
+/// The picture between 0 and 1, with less noise.
+fn blurred(picture: &[[f32; 3]], width: usize) -> Texels {
+    let compressed = picture.iter().map(|colour| colour.map(|v| v.max(0.0) / (1.0 + v.max(0.0))));
+    smooth(&compressed.map(|[r, g, b]| [r, g, b, 0.0]).collect(), width)
 }
 
 /// Whether a tile is found elsewhere in the frame before; `None` where it has no texture.
