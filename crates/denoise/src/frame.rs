@@ -166,11 +166,14 @@ pub fn load(files: &FrameFiles, setup: &Setup) -> Result<FrameInputs> {
 
 /// What tells surfaces that have no albedo of their own.
 pub fn told(channels: &Channels<'_>, through: Option<&Through>) -> Told {
+    let setup = channels.setup;
+    // Black of an albedo for denoisers is paint.
+    let none = || setup.mapping.is_for_denoisers(Role::Albedo).then(|| vec![false; setup.pixels()]);
     Told {
-        raster: Raster::new(channels.setup.config.allocated_extent),
-        far: channels.setup.config.conventions.background_depth,
+        raster: Raster::new(setup.config.allocated_extent),
+        far: setup.config.conventions.background_depth,
         numbers: channels.shapes(),
-        windows: through.and_then(|through| through.windows.clone()),
+        windows: through.and_then(|through| through.windows.clone()).or_else(none),
     }
 }
 

@@ -29,9 +29,11 @@ const SAME_DEPTH: f32 = 1.1;
 /// Pixels to each side among which the surfaces of a pixel that shows several are found: out of focus they are far apart.
 const REACH: usize = 4;
 
-/// The number of the background among surfaces, of mirrors and glass that show it, where normals are those of what is seen, and of pixels that show several.
+/// The number of the background among surfaces.
 const OPEN: u32 = 0;
+/// That of surfaces without a normal: of what shows the sky, where normals are those of what is seen.
 const UNSEEN: u32 = u32::MAX - 1;
+/// That of pixels that show several.
 const SEVERAL: u32 = u32::MAX;
 
 type Texels = Vec<[f32; 4]>;
@@ -84,19 +86,7 @@ pub fn shown(images: &BTreeMap<&'static str, Texels>, told: Told) -> Option<Vec<
 impl Surfaces<'_> {
     fn shown(&self) -> Vec<Shown> {
         let surfaces = self.numbered();
-        let is_none = match &self.told.windows {
-            Some(windows) => windows.clone(),
-            None => {
-                let of_lobes = self.of_lobes(&surfaces);
-                let is_none = |i: usize| is_black(&self.albedo[i]) || of_lobes.get(&surfaces[i]) == Some(&true);
-                let none: Vec<bool> =
-                    (0..surfaces.len()).map(|i| is_none(i) || (surfaces[i] == UNSEEN && largest(&self.albedo[i]) < DIM)).collect();
-                // Of several samples, a few may have met something else than the sky.
-                let is_beside =
-                    |i: usize| self.told.raster.around(i, 1).any(|j| none[j] && surfaces[j] != OPEN && self.is_near(i, j));
-                (0..none.len()).map(|i| none[i] || (largest(&self.albedo[i]) < DIM && is_beside(i))).collect()
-            }
-        };
+        let is_none = self.told.windows.clone().unwrap_or_else(|| self.without_albedo(&surfaces));
         let of_one = |i: usize| match surfaces[i] {
             OPEN => Shown::Background,
             _ if is_none[i] => Shown::Lobe,
@@ -116,6 +106,22 @@ impl Surfaces<'_> {
             }
         };
         (0..surfaces.len()).map(|i| if surfaces[i] == SEVERAL { of_several(i) } else { of_one(i) }).collect()
+    }
+
+    /// Of each pixel, whether its surface has no albedo.
+    fn without_albedo(&self, surfaces: &[u32]) -> Vec<bool> {
+        let of_lobes = self.of_lobes(surfaces);
+        let is_dim = |i: usize| largest(&self.albedo[i]) < DIM;
+        let is_none = |i: usize| {
+            is_black(&self.albedo[i]) || (surfaces[i] == UNSEEN && is_dim(i)) || of_lobes.get(&surfaces[i]) == Some(&true)
+        };
+        let none: Vec<bool> = (0..surfaces.len()).map(is_none).collect();
+        // Of several samples, a few may have met something else than the sky.
+        let is_beside = |i: usize| {
+            let around = self.told.raster.around(i, 1);
+            around.filter(|j| none[*j] && surfaces[*j] != OPEN).any(|j| self.is_near(i, j))
+        };
+        (0..none.len()).map(|i| none[i] || (is_dim(i) && is_beside(i))).collect()
     }
 
     /// Whether two pixels have nearly the same depth.

@@ -242,7 +242,8 @@ impl Setup {
     /// Whether light may be parted by the albedo of surfaces: where all of it is in one picture, and nobody wants it so.
     pub fn may_have_lobes(&self) -> bool {
         let (config, mapping) = (&self.config, &self.mapping);
-        let is_whole = config.signals == Signals::Together && config.light_extent.is_none() && config.preset != Preset::Stabilize;
+        let has_picture = mapping.has(Role::Noisy) && !mapping.has(Role::Lighting) && config.light_extent.is_none();
+        let is_whole = config.signals == Signals::Together && config.preset != Preset::Stabilize && has_picture;
         // Blender's albedo for denoisers is that of what is seen in mirrors and through glass: the lengths of paths tell these.
         let has_paths = mapping.has(Role::PathLength) && mapping.has(Role::Id) && self.sequence.is_some();
         let tells = !mapping.is_for_denoisers(Role::Albedo) || has_paths;

@@ -172,6 +172,10 @@ fn where_lines_of_sight_are_parallel_nothing_is_followed() {
     let inputs = loaded(Sequence { is_perspective: false, ..FLAT }, &[]);
     assert_motion(&inputs, GLASS, DEPTH);
     assert!(!inputs.images.contains_key("specular_hit_distance"));
+    // A wall that is black is paint.
+    let folder = frames_for_denoisers(0.0, 0.0, true);
+    write_cameras(folder.path(), false);
+    assert!(!looked_at(&folder).1.has_lobes);
 }
 
 #[test]
