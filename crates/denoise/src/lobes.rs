@@ -217,6 +217,13 @@ pub fn part(images: &mut BTreeMap<&'static str, Texels>, told: Told) -> Option<V
     Some(kinds)
 }
 
+/// Takes all light for that of surfaces without an albedo.
+pub fn take_all(images: &mut BTreeMap<&'static str, Texels>) {
+    let Some(light) = images.remove("noisy_diffuse") else { return };
+    images.insert("noisy_diffuse", vec![[0.0; 4]; light.len()]);
+    images.insert("noisy_specular", light);
+}
+
 /// Ids of surfaces that differ where their kinds do.
 pub fn told_apart(ids: Option<Vec<u32>>, kinds: Vec<u32>) -> Vec<u32> {
     let of_both = |(id, kind): (u32, u32)| if kind == 0 { 0 } else { id.saturating_mul(2).saturating_add(kind) };

@@ -14,6 +14,7 @@ pub fn describe(mapping: &Mapping, config: &Config) -> Vec<String> {
     }
     let signals = match config.signals {
         Signals::Apart => "direct and indirect apart",
+        Signals::Specular if !mapping.has_specular() && !mapping.has(Role::Albedo) => "together, as specular light",
         Signals::Specular => "diffuse and specular apart",
         Signals::Mixed => "together, as one signal with roughness",
         _ => "together, as one signal",

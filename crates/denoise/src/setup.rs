@@ -147,6 +147,9 @@ impl Setup {
             () if self.has_lobes => Signals::Specular,
             () => signals(mapping, config.preset, signals_wished)?,
         };
+        if self.lacks_albedo(&config) {
+            config.signals = Signals::Specular;
+        }
         config.conventions = conventions::of_layout(mapping);
         let mut scales = Scales::default();
         let mut report = describe(mapping, &config);
@@ -239,17 +242,30 @@ impl Setup {
         self.decide()
     }
 
-    /// Whether light may be parted by the albedo of surfaces: where all of it is in one picture, and nobody wants it so.
-    pub fn may_have_lobes(&self) -> bool {
-        let (config, mapping) = (&self.config, &self.mapping);
+    /// Whether all light is in one picture, in which nobody wants it to stay.
+    fn is_one_picture(&self, config: &Config) -> bool {
+        let mapping = &self.mapping;
         let has_picture = mapping.has(Role::Noisy) && !mapping.has(Role::Lighting) && config.light_extent.is_none();
-        let is_whole = config.signals == Signals::Together && config.preset != Preset::Stabilize && has_picture;
+        let is_wished = self.options.config.has("signals") || self.is_verbatim();
+        config.signals == Signals::Together && config.preset != Preset::Stabilize && has_picture && !is_wished
+    }
+
+    /// Whether nothing tells paint from mirrors. Specular light is followed by the motion of surfaces and by that of what is seen in them.
+    pub fn lacks_albedo(&self, config: &Config) -> bool {
+        let mapping = &self.mapping;
+        let has_albedo = mapping.has(Role::Albedo) || mapping.has(Role::DiffuseColour);
+        let has_history = config.preset != Preset::Eaw && self.knows_motion();
+        self.is_one_picture(config) && has_history && mapping.has(Role::Normal) && !has_albedo
+    }
+
+    /// Whether light may be parted by the albedo of surfaces.
+    pub fn may_have_lobes(&self) -> bool {
+        let mapping = &self.mapping;
         // Blender's albedo for denoisers is that of what is seen in mirrors and through glass: the lengths of paths tell these.
         let has_paths = mapping.has(Role::PathLength) && mapping.has(Role::Id) && self.sequence.is_some();
         let tells = !mapping.is_for_denoisers(Role::Albedo) || has_paths;
         let is_known = mapping.has(Role::Albedo) && tells && mapping.has(Role::Normal);
-        let is_wished = self.options.config.has("signals") || self.is_verbatim();
-        is_whole && is_known && config.conventions.normal == NormalEncoding::Xyz && !is_wished
+        self.is_one_picture(&self.config) && is_known && self.config.conventions.normal == NormalEncoding::Xyz
     }
 
     /// Has the light of surfaces without an albedo filtered apart.

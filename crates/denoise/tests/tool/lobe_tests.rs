@@ -67,7 +67,7 @@ fn light_without_an_albedo_is_filtered_apart() {
 
 /// In fog and out of focus an albedo is noise.
 #[test]
-fn light_stays_together_where_its_albedo_is_left_out() {
+fn all_light_is_specular_where_the_albedo_is_left_out() {
     let input = with_ball(2, true, |seen| seen.albedo = [0.0; 3]);
     for number in 0..2 {
         let mut pixels = Scene::default().frame(number).pixels.to_vec();
@@ -78,8 +78,61 @@ fn light_stays_together_where_its_albedo_is_left_out() {
     }
     let setup = looked_at(input.path()).0;
     assert!(!setup.mapping.has(Role::Albedo), "{:?}", setup.report);
-    assert!(!setup.has_lobes && setup.config.signals == Signals::Together);
-    loaded(input.path(), &setup, 1);
+    assert!(!setup.has_lobes && setup.config.signals == Signals::Specular);
+    let frame = loaded(input.path(), &setup, 1);
+    let seen = Scene::default().frame(1).pixels;
+    let is_whole =
+        |i: usize| frame.images["noisy_specular"][i][..3] == seen[i].noisy && frame.images["noisy_diffuse"][i] == [0.0; 4];
+    assert!((0..seen.len()).all(is_whole));
+}
+
+/// A highlight in a mirror moves in other ways than the mirror.
+#[test]
+fn all_light_is_specular_where_there_is_no_albedo() {
+    let signals = |dropped: &[&str], more: &[&str]| {
+        let input = written(Scene::default(), 2, |_, frame| {
+            let mut sample = frame.plain();
+            sample.channels.retain(|(name, ..)| !dropped.iter().any(|part| name.starts_with(part)));
+            sample
+        });
+        let frames = frame_files::find(&[input.path().to_owned()]).expect("frames");
+        let arguments = ["atrous-denoise", "frames", "-o", "out"].iter().chain(more);
+        let setup = Setup::new(&frames, &atrous_denoise::cli::Cli::parse_from(arguments).options()).expect("a setup");
+        let is_told = setup.report.iter().any(|line| line.contains("together, as specular light"));
+        assert_eq!(is_told, setup.config.signals == Signals::Specular);
+        setup.config.signals
+    };
+    assert_eq!(signals(&["albedo"], &[]), Signals::Specular);
+    assert_eq!(signals(&[], &[]), Signals::Together);
+    for kept in [&["albedo", "normal"][..], &["albedo", "motion", "depth"]] {
+        assert_eq!(signals(kept, &[]), Signals::Together, "without {kept:?}");
+    }
+    for option in [["--signals", "together"], ["--preset", "eaw"]] {
+        assert_eq!(signals(&["albedo"], &option), Signals::Together, "{option:?}");
+    }
+}
+
+/// A highlight that moves over a mirror as the mirror does not.
+#[test]
+fn a_highlight_leaves_no_glow() {
+    let light = |number: u32, x: i32, y: i32| if (x - 8 - 3 * number as i32).abs() < 2 && (y - 12).abs() < 2 { 60.0 } else { 0.4 };
+    let input = folder();
+    for number in 0..8 {
+        let noisy = move |x: i32, y: i32| light(number, x, y) * (0.95 + 0.1 * samples::noise(x, y, 30 + number));
+        let mut sample = Sample::new(48, 24).flat("normal.X normal.Y motion.X motion.Y", Type::Float, 0.0);
+        sample = sample.flat("normal.Z", Type::Float, 1.0).flat("depth.Z", Type::Float, 2.0);
+        sample = ["R", "G", "B"].iter().fold(sample, |sample, c| sample.channel(c, Type::Float, noisy));
+        sample.write(&frame_path(input.path(), number));
+    }
+    let error = |more: &[&str]| {
+        let output = folder();
+        samples::denoise(input.path(), output.path(), more).expect("a run");
+        let result = red(&frame_path(output.path(), 7));
+        let dark = (0..48 * 24).filter(|i| light(7, i % 48, i / 48) < 1.0).map(|i| (result[i as usize] - 0.4).powi(2));
+        dark.clone().sum::<f32>() / dark.count() as f32
+    };
+    let (specular, together) = (error(&[]), error(&["--signals", "together"]));
+    assert!(specular < 0.7 * together, "{specular} {together}");
 }
 
 /// Transforms are found by the ids of the file.
