@@ -28,7 +28,7 @@ const ASIDE: usize = 2;
 const SIDE: usize = 3;
 /// How much a normal may turn over the way that light goes on, in radians: glass is a lens otherwise, and a mirror curved.
 const FLAT: f32 = 0.1;
-/// How far 1/depth may depart from the mean of two pixels to each side, as a part of twice itself.
+/// Twice as far as 1/depth may depart from the mean of a pixel to each side, as a part of itself.
 const BENT: f32 = 1e-4;
 /// A shorter normal is a mean of several.
 const OF_ONE: f32 = 0.98;
