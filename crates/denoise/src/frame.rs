@@ -17,7 +17,7 @@ use crate::roles::Role;
 use crate::sampling::Pattern;
 use crate::setup::{is_about_previous, Setup};
 use crate::smooth::smooth;
-use atrous::config::{Preset, Signals};
+use atrous::config::Preset;
 use atrous::reference::InstanceTransform;
 use atrous::{FrameParams, Input, ResetReason, Tuning};
 use std::collections::{BTreeMap, BTreeSet};
@@ -101,7 +101,7 @@ pub fn load(files: &FrameFiles, setup: &Setup) -> Result<FrameInputs> {
     let instance_transforms = transforms(&files.colour)?;
     let has_camera = camera.is_some();
     let mut through = None;
-    if setup.config.signals == Signals::Specular && !setup.mapping.has_specular() && !setup.has_lobes {
+    if setup.is_all_specular() {
         lobes::take_all(&mut images);
     }
     if setup.has_lobes {

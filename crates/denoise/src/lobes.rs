@@ -6,6 +6,7 @@
 //! background beside something else: their albedo is that of a part of their light.
 
 use crate::gaps;
+use crate::paths::OF_ONE;
 use crate::raster::Raster;
 use crate::transmission::{is_black, largest};
 use std::collections::BTreeMap;
@@ -20,8 +21,6 @@ const LEAST_ABOVE: f32 = 0.005;
 const DARK: f32 = 0.02;
 /// The same beside a pixel of a lobe.
 const DIM: f32 = 0.05;
-/// A shorter normal is a mean of several.
-const OF_ONE: f32 = 0.98;
 /// The cosine between normals of pixels beside each other that show one surface.
 const SAME: f32 = 0.7;
 /// Their depths, the farther over the nearer.

@@ -31,7 +31,7 @@ const FLAT: f32 = 0.1;
 /// Twice as far as 1/depth may depart from the mean of a pixel to each side, as a part of itself.
 const BENT: f32 = 1e-4;
 /// A shorter normal is a mean of several.
-const OF_ONE: f32 = 0.98;
+pub const OF_ONE: f32 = 0.98;
 
 /// What is seen in flat mirrors and through flat glass.
 #[derive(Debug)]

@@ -251,11 +251,16 @@ impl Setup {
     }
 
     /// Whether nothing tells paint from mirrors. Specular light is followed by the motion of surfaces and by that of what is seen in them.
-    pub fn lacks_albedo(&self, config: &Config) -> bool {
+    fn lacks_albedo(&self, config: &Config) -> bool {
         let mapping = &self.mapping;
         let has_albedo = mapping.has(Role::Albedo) || mapping.has(Role::DiffuseColour);
         let has_history = config.preset != Preset::Eaw && self.knows_motion();
         self.is_one_picture(config) && has_history && mapping.has(Role::Normal) && !has_albedo
+    }
+
+    /// Whether all light is filtered as specular light, since nothing else is known of it.
+    pub fn is_all_specular(&self) -> bool {
+        self.config.signals == Signals::Specular && !self.has_lobes && !self.mapping.has_specular()
     }
 
     /// Whether light may be parted by the albedo of surfaces.

@@ -16,10 +16,10 @@ const FOUND: f32 = 0.5;
 /// None that the setup did not have.
 pub fn check(pair: &[FrameInputs; 2], setup: &mut Setup) -> Result<bool> {
     let is_open = setup.mapping.has(Role::Id) && !setup.is_named(Role::Id) && setup.knows_motion();
-    let ids = pair.each_ref().map(|frame| frame.surface_id.as_deref());
-    let (Some(comparison), [Some(before), Some(now)], true) = (Comparison::new(pair, setup), ids, is_open) else {
+    let [Some(before), Some(now)] = pair.each_ref().map(|frame| frame.surface_id.as_deref().filter(|_| is_open)) else {
         return Ok(false);
     };
+    let Some(comparison) = Comparison::new(pair, setup) else { return Ok(false) };
     let (raster, surface) = (Raster::new(pair[1].params.render_extent), &comparison.surface);
     let is_found = |i: usize| {
         let ([x, y], [dx, dy]) = (raster.place(i), surface.motion_px[i]);

@@ -61,13 +61,11 @@ pub fn take(frames: &[FrameFiles], setup: &mut Setup) -> Result<Vec<String>> {
             }
         }
     }
-    if frames.len() > 1 && !setup.knows_motion() && setup.config.preset != Preset::Stabilize {
+    if let Some([first, second]) = looked_at.as_ref().filter(|_| !setup.knows_motion() && setup.config.preset != Preset::Stabilize)
+    {
         // Over several frames slow motion adds up.
-        if let [Some(first), Some(later)] =
-            [frames.first(), frames.get(APART).or(frames.last())].map(|files| frame::load(files?, setup).ok())
-        {
-            moves::check(&[first, later], setup)?;
-        }
+        let later = frames.get(APART).or(frames.last()).and_then(|files| frame::load(files, setup).ok());
+        moves::check([first, later.as_ref().unwrap_or(second)], setup);
     }
     // What moves in unknown ways cannot be told from noise.
     if let Some(pair) = looked_at.as_ref().filter(|_| !setup.stills) {

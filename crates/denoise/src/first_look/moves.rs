@@ -1,6 +1,5 @@
 //! Pictures that move while neither motion nor cameras say how: a history would smear them.
 
-use crate::error::Result;
 use crate::frame::FrameInputs;
 use crate::frame_images::Texels;
 use crate::roles::Role;
@@ -24,19 +23,16 @@ const FOUND: f32 = 0.5;
 const MOVED: f32 = 0.5;
 
 /// Has every frame filtered by itself where the picture moves and nobody knows how. `pair`: two frames of the sequence.
-///
-/// # Errors
-/// None that the setup did not have.
-pub fn check(pair: &[FrameInputs; 2], setup: &mut Setup) -> Result<()> {
+pub fn check(pair: [&FrameInputs; 2], setup: &mut Setup) {
     let [width, height] = pair[1].params.render_extent.map(|side| side as usize);
     let roles = [(ALBEDO, Role::Albedo), ("normal", Role::Normal)];
     let given = roles.into_iter().filter(|(_, role)| setup.mapping.has(*role));
-    let guides = given.map(|(name, _)| pair.each_ref().map(|frame| frame.images.get(name).cloned()));
-    let mut guides: Vec<[Texels; 2]> = guides.filter_map(|[before, now]| Some([before?, now?])).collect();
+    let images = given.map(|(name, _)| pair.map(|frame| frame.images.get(name).map(Vec::as_slice)));
+    let mut guides: Vec<_> = images.filter_map(|[before, now]| Some([before?, now?])).collect();
+    let pictures = pair.map(|frame| if guides.is_empty() { blurred(&frame.noisy, width) } else { Texels::new() });
     if guides.is_empty() {
-        guides.push(pair.each_ref().map(|frame| blurred(&frame.noisy, width)));
+        guides.push(pictures.each_ref().map(Vec::as_slice));
     }
-    let guides: Vec<_> = guides.iter().map(|pair| pair.each_ref().map(Vec::as_slice)).collect();
     let places = |side: usize| (0..(side + 1).saturating_sub(TILE)).step_by(TILE.max(side / TILES));
     let tiles = places(height).flat_map(|y| places(width).map(move |x| [x, y]));
     let moved: Vec<bool> = tiles.filter_map(|tile| has_moved(&guides, [width, height], tile)).collect();
@@ -48,7 +44,6 @@ pub fn check(pair: &[FrameInputs; 2], setup: &mut Setup) -> Result<()> {
             100.0 * share
         ));
     }
-    Ok(())
 }
 
 /// The picture between 0 and 1, with less noise.
