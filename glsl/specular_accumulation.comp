@@ -386,6 +386,11 @@ Past best_past(Centre c, float roughness, float unknown, float explained, vec2 r
     // The part of the light that moves as an image does.
     float mirrored = MIXED ? explained * share : 1.0;
     bool in_lobe = found && (!is_known || is_in_lobe(position, before.thing, seen.roughness));
+    bool moves = found && moved > STILL;
+    if (told_by_light && surface.found) chance = image_chance(c, moves, position, surface);
+    // An image at the place of the surface would blur the sharp past beside it, of mixed light, or tells nothing.
+    bool is_tried = MIXED ? in_lobe && moves : is_known ? in_lobe : moves && (!surface.found || chance > UNLIKELY);
+    if (is_tried) image = past_at(c, position, before.followed ? ANY_THING : thing);
     if (!told_by_light) {
         vec2 nearest = position;
         if (MIXED && !is_known) {
@@ -395,17 +400,12 @@ Past best_past(Centre c, float roughness, float unknown, float explained, vec2 r
         }
         float least = min(moved, distance(nearest, c.mirror.surface_position));
         steadiness = found && !MIXED ? share * steadiness_of(c, radius, position) : 0.0;
-        // Of mixed light a lookup at the same place would blur the sharp one beside it.
-        if (in_lobe && (!MIXED || moved > STILL)) image = past_at(c, position, before.followed ? ANY_THING : thing);
         // Of mixed light, each past is off for the part of the other, and no lobe blurs what is diffuse.
         if (found) surface.frames = worth(surface.frames, mirrored * least, tolerance);
         float off = (1.0 - mirrored) * moved / SHARPEST + mirrored * distance(position, nearest) / tolerance;
         if (MIXED) image.frames = worth(image.frames, off, 1.0);
     } else {
         steadiness = 0.0;
-        bool moves = found && moved > STILL;
-        if (surface.found) chance = image_chance(c, moves, position, surface);
-        if (moves && (!surface.found || chance > UNLIKELY)) image = past_at(c, position, before.followed ? ANY_THING : thing);
         bool both = surface.found && image.found;
         if (surface.found) count_by_light(c, c.mirror.surface_position, both ? 1.0 - chance : 1.0, surface);
         if (image.found) count_by_light(c, position, both ? chance : 1.0, image);

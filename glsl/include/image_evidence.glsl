@@ -26,45 +26,36 @@ float log_odds(float chance) { return log(chance / (1.0 - chance)); }
 
 float luminance_then(ivec2 q) { return luminance(half_range(texelFetch(history, nearest_inside_previous(q), 0).rgb * frame.exposure_ratio)); }
 
-// Luminance of the past between pixels, to the right of `first`, which lies on a row.
-void luminance_row(float first, int y, out float row[EVIDENCE_SIDE]) {
-    float left = luminance_then(ivec2(floor(first), y)), f = fract(first);
-    [[unroll]] for (int x = 0; x < EVIDENCE_SIDE; ++x) {
-        float right = luminance_then(ivec2(floor(first) + x + 1, y));
-        row[x] = mix(left, right, f);
-        left = right;
-    }
-}
+// Luminance of the past between two pixels of a row.
+float luminance_between(ivec2 left, float f) { return mix(luminance_then(left), luminance_then(left + ivec2(1, 0)), f); }
 
 // By how much the light of now makes it likelier that the image is seen, not the surface, as logarithm of the odds. Both pasts are compared with it
 // over 7x7 pixels, as logarithms, by the differences about their mean: logarithms of samples lie below those of what they are samples of.
 float evidence_for_image(Centre c, vec2 image_position, Past surface) {
     vec2 position = c.mirror.surface_position;
-    vec2 f = fract(vec2(position.y, image_position.y));
     vec3 past = half_range(surface.light.irradiance * frame.exposure_ratio);
     float dark = DARK * luminance(past) + 1e-6;
-    // Of the surface and of the image.
-    float above[2][EVIDENCE_SIDE], below[2][EVIDENCE_SIDE];
+    ivec2 corner = ivec2(floor(position)), image_corner = ivec2(floor(image_position));
+    vec2 f = fract(position), image_f = fract(image_position), above = vec2(0.0);
     vec2 sum = vec2(0.0), squares = vec2(0.0);
     float count = 0.0, apart = 0.0;
-    [[dont_unroll]] for (int y = -EVIDENCE_REACH; y <= EVIDENCE_REACH + 1; ++y) {
-        luminance_row(position.x - EVIDENCE_REACH, int(floor(position.y)) + y, below[0]);
-        luminance_row(image_position.x - EVIDENCE_REACH, int(floor(image_position.y)) + y, below[1]);
-        [[unroll]] for (int x = 0; x < EVIDENCE_SIDE; ++x) {
-            ivec2 q = c.mirror.p + ivec2(x - EVIDENCE_REACH, y - 1), tap = nearest_inside(q);
-            vec4 value = texelFetch(noisy, tap, 0);
-            GuideBits packed = GuideBits(packed_at(guide, tap));
-            // Of the first row, there is nothing above.
-            bool tells = y > -EVIDENCE_REACH && q == tap && value.a >= 0.0 && guide_depth(packed) != 0.0 && guide_id(packed) == guide_id(c.mirror.packed);
-            vec2 then = mix(vec2(above[0][x], above[1][x]), vec2(below[0][x], below[1][x]), f);
-            vec2 difference = tells ? log2(luminance(value.rgb) + dark) - log2(then + dark) : vec2(0.0);
-            sum += difference;
-            squares += difference * difference;
-            apart += (difference.x - difference.y) * (difference.x - difference.y);
-            count += float(tells);
-            above[0][x] = below[0][x];
-            above[1][x] = below[1][x];
-        }
+    // Column by column, a pixel at a time: where branches are masked instead of skipped, a loop ends after one round.
+    [[dont_unroll]] for (int i = 0; i < EVIDENCE_SIDE * (EVIDENCE_SIDE + 1); ++i) {
+        ivec2 offset = ivec2(i / (EVIDENCE_SIDE + 1), i % (EVIDENCE_SIDE + 1)) - EVIDENCE_REACH;
+        // Of the surface and of the image.
+        vec2 below = vec2(luminance_between(corner + offset, f.x), luminance_between(image_corner + offset, image_f.x));
+        ivec2 q = c.mirror.p + offset - ivec2(0, 1), tap = nearest_inside(q);
+        vec4 value = texelFetch(noisy, tap, 0);
+        GuideBits packed = GuideBits(packed_at(guide, tap));
+        // Of the first row, there is nothing above.
+        bool tells = offset.y > -EVIDENCE_REACH && q == tap && value.a >= 0.0 && guide_depth(packed) != 0.0 && guide_id(packed) == guide_id(c.mirror.packed);
+        vec2 then = mix(above, below, vec2(f.y, image_f.y));
+        vec2 difference = tells ? log2(luminance(value.rgb) + dark) - log2(then + dark) : vec2(0.0);
+        sum += difference;
+        squares += difference * difference;
+        apart += (difference.x - difference.y) * (difference.x - difference.y);
+        count += float(tells);
+        above = below;
     }
     if (count < FEWEST_TELLING) return 0.0;
     squares -= sum * sum / count;
