@@ -6,7 +6,7 @@
 //      host per pixel. SOURCE 2: SOURCE 0 with the change test in the place of other_confidence and steadiness, of the block_difference of each
 //      signal. Out: history_confidence, 0..1.
 // Constants: STRATUM_SIZE, with SOURCE 0 and 2. BOTH: block_difference_1 is of specular light, whose confidence is beside that of diffuse light; no
-// light_ratio scales its history.
+// light_ratio scales its history. Without that image all light is one, and both confidences are of it.
 // optional: light_ratio, other_confidence, steadiness, block_difference_1
 // variants: SOURCE=0 SOURCE=1 SOURCE=2
 #extension GL_EXT_control_flow_attributes : require
@@ -73,17 +73,18 @@ bool wants_steadiness() { return true; }
 Column tested_columns[TESTS];
 
 bool has_other() { return true; }
-float other_at(uint test, ivec2 p) { return tested_confidence(tested_columns[test], ivec2(p.x, p.y - p.y % BLOCK_SIZE), p.y % BLOCK_SIZE); }
+uint test_of(uint light) { return is_wired(BLOCK_DIFFERENCE_1) ? light : 0u; }
+float other_at(uint light, ivec2 p) { return tested_confidence(tested_columns[test_of(light)], ivec2(p.x, p.y - p.y % BLOCK_SIZE), p.y % BLOCK_SIZE); }
 
-float steadiness_of(uint test, ivec2 block) {
+float steadiness_of(uint light, ivec2 block) {
     ivec2 place = block - first_block() + 1;
-    return 1.0 - unsteadiness[place.x + place.y * int(CHANGES_WIDTH) + int(test * CHANGES)];
+    return 1.0 - unsteadiness[place.x + place.y * int(CHANGES_WIDTH) + int(test_of(light) * CHANGES)];
 }
 #else
 bool wants_steadiness() { return is_present(STEADINESS); }
 bool has_other() { return is_present(OTHER_CONFIDENCE); }
-float other_at(uint test, ivec2 p) { return texelFetch(other_confidence, host_pixel(OTHER_CONFIDENCE, p), 0).x; }
-float steadiness_of(uint test, ivec2 block) { return texelFetch(steadiness, block, 0).x; }
+float other_at(uint light, ivec2 p) { return texelFetch(other_confidence, host_pixel(OTHER_CONFIDENCE, p), 0).x; }
+float steadiness_of(uint light, ivec2 block) { return texelFetch(steadiness, block, 0).x; }
 #endif
 
 // The strata around a pixel.
@@ -106,11 +107,11 @@ void add_stratum(inout Surroundings around, ivec2 s) {
     around.largest = known ? max(around.largest, ratio) : around.largest;
 }
 
-float steadiness_at(uint test, ivec2 p) {
+float steadiness_at(uint light, ivec2 p) {
     BlocksAround around = blocks_around(p);
     ivec2 first = around.first, second = around.second;
-    float upper = mix(steadiness_of(test, first), steadiness_of(test, ivec2(second.x, first.y)), around.fraction.x);
-    float lower = mix(steadiness_of(test, ivec2(first.x, second.y)), steadiness_of(test, second), around.fraction.x);
+    float upper = mix(steadiness_of(light, first), steadiness_of(light, ivec2(second.x, first.y)), around.fraction.x);
+    float lower = mix(steadiness_of(light, ivec2(first.x, second.y)), steadiness_of(light, second), around.fraction.x);
     return mix(upper, lower, around.fraction.y);
 }
 
@@ -123,10 +124,10 @@ Surroundings surroundings_of(ivec2 p) {
     return around;
 }
 
-float confidence_at(uint test, ivec2 p, Surroundings around) {
-    if (has_other() && around.brightest == 0.0) return other_at(test, p);
-    float change = around.change * (wants_steadiness() ? 1.0 - steadiness_at(test, p) : 1.0);
-    if (test == 1u || around.least.a > around.largest.a) return 1.0 - change;
+float confidence_at(uint light, ivec2 p, Surroundings around) {
+    if (has_other() && around.brightest == 0.0) return other_at(light, p);
+    float change = around.change * (wants_steadiness() ? 1.0 - steadiness_at(light, p) : 1.0);
+    if (light == 1u || around.least.a > around.largest.a) return 1.0 - change;
     vec3 differences = (around.largest.rgb - around.least.rgb) / max(around.largest.rgb, 1e-6);
     float difference = max(differences.r, max(differences.g, differences.b));
     // Between strata history is scaled by what lies between their ratios.
@@ -158,7 +159,7 @@ void main() {
     ivec2 top = ivec2(gl_GlobalInvocationID.x, gl_WorkGroupID.y * uint(BLOCK_SIZE));
     if (!is_inside(top)) return;
     tested_columns[0] = column_of(0u, top);
-    if (BOTH) tested_columns[1] = column_of(1u, top);
+    if (BOTH && is_wired(BLOCK_DIFFERENCE_1)) tested_columns[1] = column_of(1u, top);
     [[dont_unroll]] for (int y = 0; y < BLOCK_SIZE; ++y) {
         ivec2 p = top + ivec2(0, y);
         if (is_inside(p)) write_confidence(p);

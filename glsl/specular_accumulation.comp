@@ -13,7 +13,7 @@
 // part of the light that moves otherwise.
 // BESIDE_DIFFUSE: history_confidence has that of specular light in its last bits.
 // SHARP: irradiance by the cubic of Catmull and Rom (1974) over 4x4 taps, so that motion does not blur it; taps count as far as normals agree.
-// optional: roughness, history_confidence, specular_hit_id, specular_motion, surface_id, instance_transforms, albedo, specular_albedo, material_class
+// optional: roughness, history_confidence, specular_hit_id, specular_motion, surface_id, instance_transforms, albedo, specular_albedo, material_class, light_ratio
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
@@ -63,6 +63,7 @@ const uint SPECULAR_MOTION = 18u;
 const uint ALBEDO = 19u;
 const uint SPECULAR_ALBEDO = 20u;
 const uint MATERIAL_CLASS = 21u;
+const uint LIGHT_RATIO = 22u;
 
 layout(set = 0, binding = 2) uniform utexture2D previous_guide;
 layout(set = 0, binding = 3) uniform utexture2D surface_motion;
@@ -81,11 +82,13 @@ layout(set = 0, binding = SPECULAR_MOTION) uniform texture2D specular_motion;
 layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
 layout(set = 0, binding = SPECULAR_ALBEDO) uniform texture2D specular_albedo;
 layout(set = 0, binding = MATERIAL_CLASS) uniform utexture2D material_class;
+layout(set = 0, binding = LIGHT_RATIO) uniform texture2D light_ratio;
 layout(set = 0, binding = SURFACE_ID) uniform utexture2D surface_id;
 layout(set = 0, binding = INSTANCE_TRANSFORMS, std430) readonly buffer InstanceTransforms { vec4 rows[]; } instance_transforms;
 
 #include "scenery.glsl"
 #include "material.glsl"
+#include "ratio_at_pixel.glsl"
 
 Material material;
 
@@ -95,6 +98,7 @@ struct Centre {
     float depth;
     Expected expected;  // of the surface in the previous frame, at its position
     float origin;       // of contrast: luminance_origin
+    vec3 ratio;         // by which its history is scaled
 };
 
 // Pixels: a picture that moves by as much from frame to frame does not stand still.
@@ -152,7 +156,7 @@ Centre centre_of(ivec2 p, GuideBits packed, float origin) {
     SurfaceMotion m = unpack_surface_motion(texelFetch(surface_motion, p, 0));
     vec2 gradient = guide_gradient(packed);
     Expected expected = with_tolerances(expected_surface(packed, m, gradient, m.previous_normal), material.depth, material.normal);
-    return Centre(mirror_at(p, packed, m.motion), guide_depth(packed), expected, origin);
+    return Centre(mirror_at(p, packed, m.motion), guide_depth(packed), expected, origin, vec3(1.0));
 }
 
 // As nearness_of, where what nobody knows may be beyond the scene.
@@ -313,10 +317,13 @@ float other_thing(Centre c, Past past, float here, vec2 reaches, float roughness
 // Frames that a past is worth whose content is `error` pixels off in each of them.
 float worth(float frames, float error, float tolerance) { return min(frames, tolerance / max(error, 1e-4)); }
 
-float change_at(ivec2 p) {
+// `mirrored`: the part of the light that moves as an image does.
+float change_at(ivec2 p, float mirrored) {
     if (!is_present(HISTORY_CONFIDENCE)) return 0.0;
     float confidence = texelFetch(history_confidence, host_pixel(HISTORY_CONFIDENCE, p), 0).x;
-    return 1.0 - (BESIDE_DIFFUSE ? specular_confidence(confidence) : confidence);
+    if (!BESIDE_DIFFUSE) return 1.0 - confidence;
+    float of_image = 1.0 - specular_confidence(confidence);
+    return MIXED ? mix(change_by(confidence), of_image, mirrored) : of_image;
 }
 
 Past mixed(Past a, Past b, float share) {
@@ -440,7 +447,7 @@ Past best_past(Centre c, float roughness, float unknown, float explained, vec2 r
     }
     if (told_by_light) image_share = chance;
     else past.light.variance += past.contrast * (1.0 - share * explained);
-    past.light = in_light(past.light, vec3(1.0), frame.exposure_ratio);
+    past.light = in_light(past.light, c.ratio, light_scale(c.ratio));
     return past;
 }
 
@@ -483,6 +490,9 @@ void main() {
         seen.hit_distance = hit_distance_now(c, value.a, rough, reaches);
         float explained = MIXED ? explained_share(p) : 1.0;
         if (MIXED) seen.roughness = mixed_roughness(c.depth, seen, explained);
+        // The part of the light that moves as an image does. No ratio scales that.
+        float mirrored = explained * mirror_share(seen.roughness);
+        if (MIXED) c.ratio = pow(light_ratio_at(p), vec3(1.0 - mirrored));
         if (!has_flag(FLAG_RESET)) {
             float share, steadiness;
             float unknown = MIXED || stored != UNKNOWN_ROUGHNESS ? seen.roughness : 0.0;
@@ -490,7 +500,7 @@ void main() {
             luminance_history = first_luminance(value.rgb, worth, REASON_DEPTH);
             if (past.found) {
                 image_share = share;
-                float change = change_at(p);
+                float change = change_at(p, mirrored);
                 vec2 floors = vec2(push.alpha, push.alpha_moments) * mix(1.0, STEADY_ALPHA, clamp(steadiness, 0.0, 1.0));
                 float history_length = length_with(past.frames, worth, adapted(floors.x, change));
                 irradiance = blend(irradiance, past.light, history_length, worth, adapted(floors * worth, change), luminance_history);

@@ -1,5 +1,5 @@
 // How many frames a past is worth by the light of now around a pixel. Twin: src/nodes/specular_accumulation/twin/agreement.rs. Needs the types
-// Centre and Past, and the images guide, noisy and history.
+// Centre and Past, and the images guide, noisy and history, and ratio_at_pixel.glsl.
 #ifndef LIGHT_AGREEMENT_GLSL
 #define LIGHT_AGREEMENT_GLSL
 #include "frame.glsl"
@@ -77,7 +77,7 @@ float frames_by_logs(LogDifference logs, float noise, float hits) {
 // that differs most; where nobody knows the place of what is seen (`by_logs`), by logarithms as well. What a surface mirrors may move or turn
 // while the surface does neither.
 ByLight by_light(Centre c, vec2 position, Past past, float agrees, bool by_logs) {
-    History light = in_light(past.light, vec3(1.0), frame.exposure_ratio);
+    History light = in_light(past.light, c.ratio, light_scale(c.ratio));
     ivec2 shift = ivec2(floor(position + 0.5)) - c.mirror.p;
     vec3 sum = vec3(0.0), squares = vec3(0.0);
     float count = 0.0, dark = DARK * max(luminance(light.irradiance), 0.0) + 1e-6;
@@ -92,7 +92,7 @@ ByLight by_light(Centre c, vec2 position, Past past, float agrees, bool by_logs)
             logs.row = 0;
             continue;
         }
-        vec3 then = signed_half_range(texelFetch(history, before, 0).rgb * frame.exposure_ratio), difference = value.rgb - then;
+        vec3 then = signed_half_range(texelFetch(history, before, 0).rgb * c.ratio * frame.exposure_ratio), difference = value.rgb - then;
         sum += difference;
         squares += difference * difference;
         count += 1.0;

@@ -1189,6 +1189,7 @@ pub(crate) static SPECULAR_ACCUMULATION: Shader = Shader {
         ShaderBinding { number: 19, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 20, name: Cow::Borrowed("specular_albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 21, name: Cow::Borrowed("material_class"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 22, name: Cow::Borrowed("light_ratio"), kind: BindingKind::SampledImage(Component::Float), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
@@ -1204,6 +1205,7 @@ pub(crate) static SPECULAR_ACCUMULATION: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("SHARP"), id: 2, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("MIXED"), id: 3, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("BESIDE_DIFFUSE"), id: 4, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
         SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),

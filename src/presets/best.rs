@@ -68,8 +68,7 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
     let noisy = noisy(g, config.signals);
     let compared = compared(g, &noisy, config);
     let gradient = gradients.map(|source| {
-        // No ratio scales what is mirrored.
-        let gradient = match best.light_ratio && config.signals != Signals::Mixed {
+        let gradient = match best.light_ratio {
             true => g.gradient_and_ratio(guides, &compared, source),
             false => g.gradient(guides, &compared, source),
         };
@@ -93,6 +92,9 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
     let reflected = past.reflected.and_then(|reflected| reflected.difference);
     let confidence = match (&gradient, &difference, &reflected) {
         (Some(gradient), Some(difference), Some(specular)) => g.tested_confidence_of_both(gradient, difference, specular),
+        (Some(gradient), Some(difference), None) if config.signals == Signals::Mixed => {
+            g.tested_confidence_of_mixed(gradient, difference)
+        }
         (Some(gradient), Some(difference), None) => g.tested_confidence(gradient, difference),
         (Some(gradient), None, _) => g.history_confidence(gradient, None),
         (None, ..) => g.host_confidence(),

@@ -99,8 +99,8 @@ impl Past {
         let Some(mixed) = &self.mixed else {
             return (g.temporal_accumulation(guides, irradiance, &self.history, accumulation), None);
         };
-        let Accumulation { confidence, sharp, alpha, alpha_moments, .. } = accumulation;
-        let parameters = SpecularAccumulation { confidence, sharp, alpha, alpha_moments, mixed: true };
+        let Accumulation { confidence, sharp, alpha, alpha_moments, light_ratio, .. } = accumulation;
+        let parameters = SpecularAccumulation { confidence, sharp, alpha, alpha_moments, mixed: true, light_ratio };
         let found = g.specular_accumulation(guides, irradiance, mixed, parameters);
         (found.accumulated, Some(found.reflection))
     }

@@ -22,7 +22,7 @@ pub fn forward_projected() {
 }
 
 pub fn reshaded() {
-    for (signals, stratum_size) in [(Signals::Together, 3), (Signals::Apart, 2)] {
+    for (signals, stratum_size) in [(Signals::Together, 3), (Signals::Apart, 2), (Signals::Mixed, 3)] {
         reshaded_sequence(&Config { signals, stratum_size, ..config([67, 35]) });
     }
 }

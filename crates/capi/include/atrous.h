@@ -430,7 +430,7 @@ typedef enum AtrousCounter {
 // specular_history(irradiance, [feedback])
 #define ATROUS_NODE_SPECULAR_HISTORY "specular_history"
 
-// specular_accumulation(guides, irradiance, history, [confidence, alpha, alpha_moments, sharp, mixed])
+// specular_accumulation(guides, irradiance, history, [confidence, alpha, alpha_moments, sharp, mixed, light_ratio])
 #define ATROUS_NODE_SPECULAR_ACCUMULATION "specular_accumulation"
 
 // variance(guides, accumulated, history, [estimator, spatial_variance_frames])

@@ -40,6 +40,12 @@ impl Graph {
         self.confidence_by(pass)
     }
 
+    /// [`Self::tested_confidence`] of light that is mixed, and beside it, in the last bits, that of its images, without the ratio.
+    pub(crate) fn tested_confidence_of_mixed(&mut self, gradient: &Gradient, difference: &Difference) -> Confidence {
+        let pass = self.tested(gradient, difference).constant("BOTH", 1);
+        self.confidence_by(pass)
+    }
+
     /// Whether a confidence has that of specular light beside it.
     pub(super) fn is_of_both(&self, confidence: &Confidence) -> bool {
         self.writer_has(confidence.image(), "BOTH")

@@ -100,7 +100,9 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     }
     let (differences, light_ratio) = (b.packed_signals("block_difference")?, b.optional_colour("light_ratio")?);
     let confidence = if b.is_on("BOTH")? {
-        let (diffuse, specular) = (tested(b, &differences[..1], light_ratio)?, tested(b, &differences[1..], None)?);
+        // Of light that is mixed there is one difference.
+        let of_images = &differences[differences.len() - 1..];
+        let (diffuse, specular) = (tested(b, &differences[..1], light_ratio)?, tested(b, of_images, None)?);
         Image::compute(diffuse.extent(), b.frame.render_extent, |p| both_confidences(diffuse.at(p), specular.at(p)))
     } else {
         tested(b, &differences, light_ratio)?

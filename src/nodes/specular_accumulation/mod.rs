@@ -7,7 +7,7 @@ pub(crate) mod twin;
 
 use super::pass;
 use crate::contract::{Input, Lifetime};
-use crate::graph::{Accumulated, Confidence, Feedback, Graph, Guides, History, Irradiance, Port, Reflection, Value};
+use crate::graph::{Accumulated, Confidence, Feedback, Graph, Guides, History, Irradiance, LightRatio, Port, Reflection, Value};
 use crate::graph::{HDR, PACKED_32};
 use crate::shaders;
 
@@ -28,6 +28,9 @@ pub struct SpecularAccumulation {
     /// and `specular_albedo` tell how much of it a lobe explains.
     /// Default: false.
     pub mixed: bool,
+    /// Of light that is mixed, the ratio by which it changed: history is scaled by it as far as it is no image of something else.
+    /// Default: none.
+    pub light_ratio: Option<LightRatio>,
 }
 
 /// History of specular light, with the image that its accumulation writes.
@@ -102,6 +105,10 @@ impl Graph {
         let pass = match parameters.mixed {
             true => pass.bind("albedo", self.input(Input::ALBEDO)).bind("specular_albedo", self.input(Input::SPECULAR_ALBEDO)),
             false => pass,
+        };
+        let pass = match parameters.light_ratio.filter(|_| parameters.mixed) {
+            Some(ratio) => pass.constant("STRATUM_SIZE", ratio.stratum_size).bind("light_ratio", ratio.image),
+            None => pass,
         };
         self.add(pass);
         AccumulatedSpecular {

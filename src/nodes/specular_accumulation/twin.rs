@@ -1,10 +1,10 @@
 //! The stage `specular_accumulation`: specular irradiance blended with what was seen in the surface before.
 
 use crate::nodes::demodulate::twin::reflectance;
-use crate::nodes::temporal_accumulation::twin::{blend, fresh, AlphaBounds, Reprojected};
+use crate::nodes::temporal_accumulation::twin::{blend, fresh, ratio_at, AlphaBounds, Reprojected, StrataRatio};
 use crate::reference::binary16::LARGEST_HALF;
 use crate::reference::bindings::Bindings;
-use crate::reference::both_confidences::specular_confidence;
+use crate::reference::both_confidences::{change_by, specular_confidence};
 use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
 use crate::reference::conventions::{is_reset, roughness_channel};
 use crate::reference::guide::{unpack_guide, Surface};
@@ -12,7 +12,7 @@ use crate::reference::luminance::{luminance, texel_luminance};
 use crate::reference::luminance_history::{luminance_history_of, split_luminance_history, LuminanceHistory, Reason};
 use crate::reference::material::{classes_beyond, tuning_at};
 use crate::reference::reflection::{
-    hit_distance_of, lobe_radius, mixed_roughness, pack_reflection, reach, roughness_of, SeenReflection, UNKNOWN_ROUGHNESS,
+    hit_distance_of, lobe_radius, mirror_share, mixed_roughness, pack_reflection, reach, roughness_of, SeenReflection, UNKNOWN_ROUGHNESS,
 };
 use crate::reference::rules::{pixels, rule, STATISTICS};
 use crate::reference::scenery::Instances;
@@ -74,6 +74,10 @@ pub(crate) struct SpecularAccumulationInputs<'a> {
     pub instances: Instances<'a>,
     /// Confidence in the history.
     pub history_confidence: Option<&'a Image<f32>>,
+    /// Whether that of specular light lies in its last bits.
+    pub is_beside_diffuse: bool,
+    /// Of mixed light: the ratio by which it changed.
+    pub light_ratio: Option<StrataRatio<'a>>,
     /// Classes of materials, where the host gives them.
     pub material_class: Option<&'a Image<u32>>,
     /// The previous frame, which is not read in a reset frame.
@@ -112,6 +116,8 @@ struct Centre {
     reprojected: Reprojected,
     /// What contrasts are taken about: the luminance of this frame in the light of the previous one.
     origin: f32,
+    /// By which its history is scaled.
+    ratio: [f32; 3],
 }
 
 /// Accumulates specular light along the motion of surfaces and of what is seen in them, whichever tells more.
@@ -165,19 +171,24 @@ impl Scene<'_> {
         if surface.is_background() {
             return with(fresh(noisy, Reason::None), SeenReflection { hit_distance: 0.0, roughness }, None);
         }
-        let c = self.centre(p, surface);
+        let mut c = self.centre(p, surface);
         let (hit_distance, reaches) = self.hit_distance_now(&c, own_distance, roughness);
         let mut seen = SeenReflection { hit_distance, roughness };
         let explained = if self.inputs.is_mixed { self.explained_share(p) } else { 1.0 };
         if self.inputs.is_mixed {
             seen.roughness = mixed_roughness(self.frame, surface.linear_depth, seen, explained);
         }
+        // The part of the light that moves as an image does. No ratio scales that.
+        let mirrored = explained * mirror_share(seen.roughness);
+        if let Some(ratio) = self.inputs.light_ratio {
+            c.ratio = ratio_at(self.frame, ratio, p).map(|ratio| ratio.powf(1.0 - mirrored));
+        }
         if is_reset(self.frame) {
             return with(fresh(noisy, Reason::Reset), seen, None);
         }
         let unknown = if self.inputs.is_mixed || stored != UNKNOWN_ROUGHNESS { seen.roughness } else { 0.0 };
         let best = self.best_past(&c, &mut seen, unknown, reaches, explained);
-        let (texel, luminance_history) = best.as_ref().map_or(fresh(noisy, Reason::Depth), |best| self.blend(p, noisy, best));
+        let (texel, luminance_history) = best.as_ref().map_or(fresh(noisy, Reason::Depth), |best| self.blend(&c, noisy, mirrored, best));
         let instances = &self.inputs.instances;
         let is_bad = [
             instances.lacks_transform(self.frame, &c.mirror, seen.hit_distance),
@@ -207,6 +218,7 @@ impl Scene<'_> {
             mirror: self.motion.mirror(p, motion.motion),
             reprojected: Reprojected::new(self.frame, &self.tuning_at(p), (surface, p), &motion),
             origin: (texel_luminance(self.inputs.noisy.at(p)) / self.frame.exposure_ratio.max(1e-20)).min(LARGEST_HALF),
+            ratio: [1.0; 3],
         }
     }
 
@@ -243,10 +255,20 @@ impl Scene<'_> {
         (if shows_nothing { 0.0 } else { mean }, if reaches[0] > reaches[1] { [0.0, 1.0] } else { reaches })
     }
 
-    fn blend(&self, p: IVec2, noisy: [f32; 4], best: &BestPast) -> ([f32; 4], LuminanceHistory) {
-        let past = &best.past;
+    /// How far light changed, 0 to 1. `mirrored`: the part of it that moves as an image does.
+    fn change_by(&self, confidence: f32, mirrored: f32) -> f32 {
+        let of_image = 1.0 - specular_confidence(confidence);
+        match (self.inputs.is_beside_diffuse, self.inputs.is_mixed) {
+            (false, _) => 1.0 - confidence,
+            (true, false) => of_image,
+            (true, true) => change_by(confidence) * (1.0 - mirrored) + of_image * mirrored,
+        }
+    }
+
+    fn blend(&self, c: &Centre, noisy: [f32; 4], mirrored: f32, best: &BestPast) -> ([f32; 4], LuminanceHistory) {
+        let (past, p) = (&best.past, c.mirror.p);
         let confidence = self.inputs.history_confidence;
-        let change = confidence.map_or(0.0, |confidence| 1.0 - confidence.at(p));
+        let change = confidence.map_or(0.0, |confidence| self.change_by(confidence.at(p), mirrored));
         let scale = 1.0 + (STEADY_ALPHA - 1.0) * best.steadiness;
         let tuning = self.tuning_at(p);
         let tuning = Tuning { alpha: tuning.alpha * scale, alpha_moments: tuning.alpha_moments * scale, ..tuning };
@@ -257,7 +279,7 @@ impl Scene<'_> {
             history_length: past.frames,
             ..LuminanceHistory::default()
         };
-        blend(self.frame, noisy, past.irradiance, (&before, past.range), bounds, [1.0; 3])
+        blend(self.frame, noisy, past.irradiance, (&before, past.range), bounds, c.ratio)
     }
 }
 
@@ -279,9 +301,8 @@ pub(crate) const RULES: &[Rule] = &[
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let transforms = b.instance_transforms()?;
     let luminance_history = luminance_history_of(b.uint("previous_luminance_history")?);
-    let (confidence, is_beside_diffuse) = (b.optional_scalar("history_confidence")?, b.is_on("BESIDE_DIFFUSE")?);
-    let own_confidence =
-        confidence.map(|image| if is_beside_diffuse { image.map(|c| specular_confidence(*c)) } else { image.clone() });
+    let ratio = b.optional_colour("light_ratio")?;
+    let light_ratio = ratio.map(|image| b.stratum_size().map(|stratum_size| StrataRatio { image, stratum_size })).transpose()?;
     let inputs = SpecularAccumulationInputs {
         guide: b.packed("guide")?,
         surface_motion: b.packed("surface_motion")?,
@@ -291,7 +312,9 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         is_mixed: b.is_on("MIXED")?,
         reflectances: b.optional_colour("albedo")?.zip(b.optional_colour("specular_albedo")?).map(Into::into),
         roughness: b.optional_colour("roughness")?,
-        history_confidence: own_confidence.as_ref(),
+        history_confidence: b.optional_scalar("history_confidence")?,
+        is_beside_diffuse: b.is_on("BESIDE_DIFFUSE")?,
+        light_ratio,
         material_class: b.optional_uint("material_class")?,
         instances: Instances {
             hit_id: b.optional_uint("specular_hit_id")?,

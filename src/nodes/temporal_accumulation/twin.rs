@@ -25,6 +25,7 @@ mod volume;
 
 pub(crate) use adapter::{twin, RULES};
 pub(crate) use blend::{blend, fresh, AlphaBounds};
+pub(crate) use light::ratio_at;
 pub(crate) use taps::{cubic_taps, SMALLEST_WEIGHT_SUM};
 pub(crate) use volume::{volume_accumulation, VolumeAccumulationInputs};
 
@@ -171,7 +172,7 @@ pub(crate) fn temporal_accumulation(
         let texels = Image::compute(extent, frame.render_extent, |p| {
             let change = inputs.history_confidence.map_or(0.0, |confidence| change_by(confidence.at(p)));
             let bounds = AlphaBounds::new(&tuning_of(p), inputs.history_confidence.is_some(), inputs.repair, change);
-            let ratio = inputs.light_ratio.map_or([1.0; 3], |ratio| light::ratio_at(frame, ratio, p));
+            let ratio = inputs.light_ratio.map_or([1.0; 3], |ratio| ratio_at(frame, ratio, p));
             let (c, luminance_history) = accumulate(frame, irradiance.at(p), histories.at(p), bounds, signal, ratio);
             (c, luminance_history.in_halves())
         });

@@ -103,7 +103,7 @@ nodes! {
         };
         specular_history(port irradiance) [choice feedback];
         specular_accumulation(port guides, port irradiance, port history) SpecularAccumulation {
-            optional confidence, value alpha, value alpha_moments, flag sharp, flag mixed
+            optional confidence, value alpha, value alpha_moments, flag sharp, flag mixed, optional light_ratio
         };
         variance(port guides, port accumulated, port history) Variance { choice estimator, value spatial_variance_frames };
         atrous(port guides, port estimate) Atrous {

@@ -75,8 +75,7 @@ impl Scene<'_> {
     /// A past by the light of now around a position: by the mean difference over 5×5 pixels in standard errors, of the
     /// channel that differs most; where nobody knows the place of what is seen (`by_logs`), by logarithms as well.
     pub(super) fn by_light(&self, c: &Centre, position: Vec2, past: &Past, agrees: f32, by_logs: bool) -> ByLight {
-        let ratio = self.frame.exposure_ratio;
-        let in_light = |value: f32| signed_half_range(value * ratio);
+        let in_light = |i: usize, value: f32| signed_half_range(value * c.ratio[i] * self.frame.exposure_ratio);
         let (id, before) = (c.mirror.surface.id, RenderRect::new(self.frame.previous_render_extent));
         let shift = (position + 0.5).floor().as_ivec2() - c.mirror.p;
         let counts = |q: IVec2| {
@@ -89,15 +88,15 @@ impl Scene<'_> {
             .filter(|(_, q)| counts(*q))
             .map(|(offset, q)| {
                 let (now, then) = (self.inputs.noisy.at(q), self.inputs.previous.history.at(q + shift));
-                (offset, [now[0], now[1], now[2]], [then[0], then[1], then[2]].map(in_light))
+                (offset, [now[0], now[1], now[2]], [0, 1, 2].map(|i| in_light(i, then[i])))
             })
             .collect();
         let count = pairs.len() as f32;
         if count < FEWEST_AGREEING {
             return ByLight { frames: past.frames, noise: None };
         }
-        let known = self.deviation_of(past).powi(2);
-        let irradiance = past.irradiance.map(in_light);
+        let known = self.deviation_of(c, past).powi(2);
+        let irradiance = [0, 1, 2].map(|i| in_light(i, past.irradiance[i]));
         let errors = [0, 1, 2].map(|i| {
             let differences = pairs.iter().map(|(_, now, then)| now[i] - then[i]);
             let mean = differences.clone().sum::<f32>() / count;
@@ -114,7 +113,7 @@ impl Scene<'_> {
             .iter()
             .map(|(offset, now, then)| (*offset, [now, then].map(|light| (of_light(*light).max(0.0) + dark).log2())))
             .collect();
-        let mean = (past.mean * ratio).min(LARGEST_HALF);
+        let mean = (past.mean * self.light_scale(c)).min(LARGEST_HALF);
         let hits = mean * mean / (mean * mean + known).max(1e-20);
         let noise = noise_of(&logs);
         let frames = noise.map_or(f32::INFINITY, |noise| frames_by_logs(&logs, noise, hits));

@@ -6,7 +6,7 @@ use super::{Centre, Scene};
 use crate::nodes::temporal_accumulation::twin::{cubic_taps, SMALLEST_WEIGHT_SUM};
 use crate::reference::binary16::{signed_half_range, LARGEST_HALF};
 use crate::reference::forward_projection::previous_world_position;
-use crate::reference::luminance::texel_luminance;
+use crate::reference::luminance::{luminance, texel_luminance};
 use crate::reference::projection::{extent_ratio, previous_surface};
 use crate::reference::range::Range;
 use crate::reference::reflection::{
@@ -289,8 +289,13 @@ impl Scene<'_> {
     }
 
     /// Standard deviation of a sample of the past, in the light of this frame.
-    pub(super) fn deviation_of(&self, past: &Past) -> f32 {
-        (past.variance.sqrt() * self.frame.exposure_ratio).min(LARGEST_HALF)
+    pub(super) fn deviation_of(&self, c: &Centre, past: &Past) -> f32 {
+        (past.variance.sqrt() * self.light_scale(c)).min(LARGEST_HALF)
+    }
+
+    /// The factor of luminance by which light changed.
+    pub(super) fn light_scale(&self, c: &Centre) -> f32 {
+        (self.frame.exposure_ratio * luminance(c.ratio)).min(1e38)
     }
 
     /// How sure it is by the light of a pixel that it shows another thing than its past: what differs by little does no harm, and what differs
@@ -304,7 +309,7 @@ impl Scene<'_> {
         let then = of_light(past.irradiance.map(|value| signed_half_range(value * ratio))).max(0.0);
         let now = of_light([value[0], value[1], value[2]]);
         let difference = (now - then).abs();
-        let beyond = difference / self.deviation_of(past).max(1e-6) / NOISE_OF_PAST - 1.0;
+        let beyond = difference / self.deviation_of(c, past).max(1e-6) / NOISE_OF_PAST - 1.0;
         (1.0 - difference / (now + then).max(1e-6)).max(beyond.clamp(0.0, 1.0))
     }
 

@@ -1,5 +1,6 @@
 use super::*;
 use crate::nodes::temporal_accumulation::twin::{temporal_accumulation, PreviousFrame, TemporalAccumulationInputs};
+use crate::reference::both_confidences::both_confidences;
 use crate::reference::guide::pack_guide;
 use crate::reference::nearest_history::SignalHistory;
 use crate::reference::reflection::{mirror_share, unpack_image_share, unpack_reflection};
@@ -72,6 +73,8 @@ impl Wall {
             reflectances: self.reflectances.as_ref().map(|images| images.each_ref()),
             roughness: self.roughness.as_ref(),
             history_confidence: None,
+            is_beside_diffuse: false,
+            light_ratio: None,
             instances: Instances {
                 hit_id: self.ids.as_ref().map(|[hit, _]| hit),
                 surface_id: self.ids.as_ref().map(|[_, mirror]| mirror),
@@ -110,6 +113,30 @@ fn mixed_light_moves_with_the_part_that_reflects_more() {
         let shift = Wall { reflectances, ..Wall::new(STEP, 4.0, 0.0) }.shift();
         assert!((shift - expected).abs() < 0.05, "{name}: {shift} for {expected}");
     }
+}
+
+#[test]
+fn mixed_light_that_changed_is_kept_by_the_part_that_is_no_image() {
+    // The history of what a surface shows by itself is scaled and true again, that of images is not.
+    let confidence = Image::new(EXTENT, both_confidences(1.0, 0.0));
+    let ratio = Image::new(EXTENT, [4.0, 1.0, 0.25, 1.0]);
+    let after = |base: f32, coat: f32, roughness: f32| {
+        let reflectances = Some([base, coat].map(|reflectance| Image::new(EXTENT, [reflectance; 4])));
+        let history = Image::new(EXTENT, [1.0; 4]);
+        let wall = Wall { reflectances, history, ..Wall::new(0.0, 4.0, roughness) };
+        let light_ratio = Some(StrataRatio { image: &ratio, stratum_size: 3 });
+        let inputs =
+            SpecularAccumulationInputs { history_confidence: Some(&confidence), is_beside_diffuse: true, light_ratio, ..wall.inputs() };
+        let outputs = specular_accumulation(&wall.frame, &tuning(), &inputs);
+        let at = IVec2::new(15, 8);
+        (outputs.accumulated.at(at).map(|value| (value * 100.0).round()), outputs.luminance_history.at(at).history_length)
+    };
+    assert_eq!(after(1.0, 0.0, 1.0), ([400.0, 100.0, 25.0, 0.0], 1001.0), "plaster");
+    assert_eq!(after(0.0, 1.0, 0.0), ([0.0, 0.0, 0.0, 0.0], 1.0), "a mirror");
+    // Half of the light is an image.
+    let (light, frames) = after(1.0, 1.0, 0.0);
+    assert_eq!(frames, 2.0);
+    assert_eq!(light, [100.0, 50.0, 25.0, 0.0], "half of 2, 1 and 1/2");
 }
 
 #[test]

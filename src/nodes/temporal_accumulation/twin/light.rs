@@ -7,7 +7,7 @@ use crate::FrameConstants;
 use glam::IVec2;
 
 /// The bilinear mean of the strata around a pixel that have a ratio; 1 where none has.
-pub(super) fn ratio_at(frame: &FrameConstants, StrataRatio { image, stratum_size }: StrataRatio, p: IVec2) -> [f32; 3] {
+pub(crate) fn ratio_at(frame: &FrameConstants, StrataRatio { image, stratum_size }: StrataRatio, p: IVec2) -> [f32; 3] {
     let strata = RenderRect::new(Strata::new(frame, stratum_size).count().into());
     let (mut sum, mut weights) = ([0.0; 3], 0.0);
     for (s, weight) in strata.cells_around(p, stratum_size) {

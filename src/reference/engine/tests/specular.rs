@@ -5,6 +5,7 @@ use crate::config::{Preset, Signals};
 use crate::graph::{Graph, Radiance};
 use crate::nodes::{Albedo, Demodulate, Import, Modulate};
 use crate::reference::both_confidences::{change_by, specular_confidence};
+use crate::reference::luminance_history::unpack_luminance_history;
 use crate::Declaration;
 
 const EXTENT: [u32; 2] = [24, 24];
@@ -51,6 +52,39 @@ fn light_that_rises_as_a_whole_rises_in_reflections_too() {
     let (confidence, sum) = after(of_preset(Preset::Best), true, BOTH, [4.0, 4.0]);
     assert_eq!(confidence, [1.0, 0.0]);
     assert!((sum - 8.0).abs() < 0.05, "{sum}");
+}
+
+#[test]
+fn the_history_of_mixed_light_follows_the_light_that_is_no_image() {
+    let config = Config { preset: Preset::Best, signals: Signals::Mixed, surface_id: false, ..Config::new(EXTENT) };
+    // Confidence in what is scaled and in images, the frames that a history of five holds, and the light, after it has risen from 1.
+    let after = |light: f32, base: f32, coat: f32, roughness: f32| {
+        let mut engine = Engine::new(config.declare().expect("valid")).expect("twins").keep_transients();
+        for i in 0..5 {
+            for (name, texel) in [
+                ("depth", [4.0; 4]),
+                ("normal", [0.0, 0.0, 1.0, 0.0]),
+                ("albedo", [base; 4]),
+                ("specular_albedo", [coat; 4]),
+                ("roughness", [roughness; 4]),
+                ("specular_hit_distance", [4.0; 4]),
+                ("noisy_radiance", if i == 4 { [light; 4] } else { [1.0; 4] }),
+            ] {
+                engine.upload(name, Image::new(EXTENT, texel).texels()).expect(name);
+            }
+            engine.run(&FrameParams { reshaded: true, ..FrameParams::new(EXTENT) }, &Tuning::default()).expect("frame");
+        }
+        let middle = glam::IVec2::splat(12);
+        let Ok(Texels::Uint(history)) = engine.texels("luminance_history", UseFrame::Current) else { panic!("a history") };
+        let Ok(Texels::Colour(denoised)) = engine.texels("denoised_radiance", UseFrame::Current) else { panic!("a picture") };
+        let Ok(Texels::Scalar(both)) = engine.texels(BOTH, UseFrame::Current) else { panic!("a confidence") };
+        let confidence = [1.0 - change_by(both.at(middle)), specular_confidence(both.at(middle))];
+        let frames = unpack_luminance_history(history.at(middle)).history_length.round();
+        (confidence, frames, (denoised.at(middle)[0] * 10.0).round())
+    };
+    assert_eq!(after(4.0, 0.5, 0.04, 1.0), ([1.0, 0.0], 5.0, 40.0), "plaster");
+    assert_eq!(after(4.0, 0.0, 0.9, 0.0), ([1.0, 0.0], 1.0, 40.0), "a mirror");
+    assert_eq!(after(1.0, 0.0, 0.9, 0.0), ([1.0, 1.0], 5.0, 10.0), "a mirror in the light that it had");
 }
 
 #[test]
