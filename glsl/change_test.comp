@@ -3,7 +3,7 @@
 // Source: ours, in the place of the rule of [PSVGF]: a test of the mean difference against its standard error, over 24x24 pixels, which works
 // in both directions; and where light has next to no noise, of each difference against that (src/nodes/change_test/specification.md).
 // In:  per signal block_difference. Out: history_confidence, 1 (keep) to 0 (drop), and steadiness, one texel a block: 1 where neither the mean
-//      nor one of its blocks departs by what could be more than noise, to 0; the least of the signals.
+//      nor one of its blocks departs by what could be more than noise, to -1 where they changed for sure; the least of the signals.
 // optional: block_difference_1, steadiness
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -40,7 +40,7 @@ void main() {
     load_changes();
     uint i = gl_LocalInvocationIndex;
     ivec2 block = first_block() + ivec2(i, 0);
-    if (wants_steadiness() && i < ROW_BLOCKS && is_block(block)) imageStore(steadiness, block, vec4(1.0 - unsteadiness[i + 1u + CHANGES_WIDTH]));
+    if (wants_steadiness() && i < ROW_BLOCKS && is_block(block)) imageStore(steadiness, block, vec4(verdicts[i + 1u + CHANGES_WIDTH]));
     ivec2 top = ivec2(gl_GlobalInvocationID.x, gl_WorkGroupID.y * uint(BLOCK_SIZE));
     if (!is_inside(top)) return;
     Column c = column_of(0u, top);

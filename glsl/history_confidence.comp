@@ -2,7 +2,7 @@
 // How far the history of a pixel is still true: 1 where light did not change, 0 where nothing of it is left.
 // Source: [ASVGF] 3.5, eq. 14: λ = |δ| / Δ, and its maximum over 3x3 pixels; confidence is 1 - λ.
 // In:  SOURCE 0: gradient, δ and Δ per stratum; light_ratio: history that it scales is true again; other_confidence, of which those pixels
-//      take theirs that no gradient is known for; steadiness of blocks, where a gradient is no evidence of change. SOURCE 1: confidence of the
+//      take theirs that no gradient is known for; steadiness of blocks, where a gradient is no evidence of change, or misses one. SOURCE 1: confidence of the
 //      host per pixel. SOURCE 2: SOURCE 0 with the change test in the place of other_confidence and steadiness, of the block_difference of each
 //      signal. Out: history_confidence, 0..1.
 // Constants: STRATUM_SIZE, with SOURCE 0 and 2. BOTH: block_difference_1 is of specular light, whose confidence is beside that of diffuse light; no
@@ -78,7 +78,7 @@ float other_at(uint light, ivec2 p) { return tested_confidence(tested_columns[te
 
 float steadiness_of(uint light, ivec2 block) {
     ivec2 place = block - first_block() + 1;
-    return 1.0 - unsteadiness[place.x + place.y * int(CHANGES_WIDTH) + int(test_of(light) * CHANGES)];
+    return verdicts[place.x + place.y * int(CHANGES_WIDTH) + int(test_of(light) * CHANGES)];
 }
 #else
 bool wants_steadiness() { return is_present(STEADINESS); }
@@ -126,12 +126,15 @@ Surroundings surroundings_of(ivec2 p) {
 
 float confidence_at(uint light, ivec2 p, Surroundings around) {
     if (has_other() && around.brightest == 0.0) return other_at(light, p);
-    float change = around.change * (wants_steadiness() ? 1.0 - steadiness_at(light, p) : 1.0);
-    if (light == 1u || around.least.a > around.largest.a) return 1.0 - change;
+    float steadiness = wants_steadiness() ? steadiness_at(light, p) : 0.0, sure = min(steadiness, 0.0);
+    float change = around.change * (1.0 - max(steadiness, 0.0));
+    // Samples keep the eye that saw them first: what moves in a mirror as the eye does shades to the same again. A doubt is no change.
+    float missed = (1.0 - around.change) * sure * sure;
+    if (light == 1u || around.least.a > around.largest.a) return 1.0 - max(change, missed);
     vec3 differences = (around.largest.rgb - around.least.rgb) / max(around.largest.rgb, 1e-6);
     float difference = max(differences.r, max(differences.g, differences.b));
     // Between strata history is scaled by what lies between their ratios.
-    return 1.0 - change * (1.0 - around.least.a * stratum_coherence(difference));
+    return 1.0 - max(change * (1.0 - around.least.a * stratum_coherence(difference)), missed);
 }
 #else
 float confidence_at(ivec2 p) {

@@ -34,7 +34,8 @@ const uint CHANGES = CHANGES_WIDTH * 3u;
 shared BlockDifference blocks[WIDTH * 5u];
 shared float changes[TESTS * CHANGES];
 shared float departures[TESTS * CHANGES];
-shared float unsteadiness[TESTS * CHANGES];
+// 1, sure that nothing changed, to -1, sure that something did.
+shared float verdicts[TESTS * CHANGES];
 
 ivec2 first_block() { return ivec2(gl_WorkGroupID.xy) * ivec2(ROW_BLOCKS, 1); }
 
@@ -125,7 +126,7 @@ Change change_of(uint corner) {
 void share(uint place, Change change) {
     changes[place] = change.of_mean;
     departures[place] = change.of_pixels;
-    unsteadiness[place] = change.unsteadiness;
+    verdicts[place] = 1.0 - change.unsteadiness - push.adaptivity * change.of_mean;
 }
 
 // Of each signal, or of the worst. Every invocation of a workgroup takes part in the barriers.

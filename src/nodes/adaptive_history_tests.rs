@@ -92,6 +92,7 @@ fn blocks_are_steady_where_neither_their_mean_nor_one_of_them_departs() {
     };
     assert_eq!(steadiness(&|_, _| 0.0, 64.0), 1.0);
     assert!(steadiness(&|_, _| 0.2, 64.0) < 0.01, "4.8 standard errors of the mean, 1.6 of each block");
+    assert_eq!(steadiness(&|_, _| 0.3, 64.0), -1.0, "twice the threshold and more");
     // What a shadow that wanders takes from one block it gives to the next: 4.8 standard errors of each, none of the mean.
     assert!(steadiness(&|x, _| [0.0, 0.6, 0.0, -0.6, 0.0][x as usize], 64.0) < 0.01);
     let partly = steadiness(&|x, y| if (x, y) == (2, 2) { 0.375 } else { 0.0 }, 64.0);

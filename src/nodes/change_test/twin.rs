@@ -36,7 +36,8 @@ const ALONE_PIXELS: f32 = 8.0;
 pub(crate) struct ChangeTestOutputs {
     /// 1, keep the history, to 0, drop it.
     pub history_confidence: Image<f32>,
-    /// One texel a block: 1 where neither the mean nor one of its blocks departs by what could be more than noise, to 0.
+    /// One texel a block: 1 where neither the mean nor one of its blocks departs by what could be more than noise, to −1 where they changed for
+    /// sure.
     pub steadiness: Image<f32>,
 }
 
@@ -64,7 +65,7 @@ pub(crate) fn change_test(
     };
     ChangeTestOutputs {
         history_confidence: Image::compute(extent, frame.render_extent, confidence),
-        steadiness: changes.map(|change| 1.0 - change.unsteadiness),
+        steadiness: changes.map(|change| 1.0 - change.unsteadiness - tuning.adaptivity * change.of_mean),
     }
 }
 

@@ -23,7 +23,7 @@ pub(crate) enum HistoryConfidenceInput<'a> {
         light_ratio: Option<&'a Image<[f32; 4]>>,
         /// Confidence of another stage, one texel a pixel, for pixels without a gradient.
         other: Option<&'a Image<f32>>,
-        /// How sure the change test is that nothing changed, one texel a block.
+        /// How sure the change test is that nothing changed, or, below 0, that something did; one texel a block.
         steadiness: Option<&'a Image<f32>>,
     },
     /// The host's own confidence, one texel a pixel: x, 0 to 1; where it is not finite, history is trusted.
@@ -46,8 +46,10 @@ pub(crate) fn history_confidence(
             }
             let change = strata().map(|s| change(tuning, gradient.at(s))).fold(0.0, f32::max);
             let ratios = light_ratio.map_or_else(Vec::new, |ratio| strata().map(|s| ratio.at(s)).collect());
-            let unsteady = steadiness.map_or(1.0, |steadiness| 1.0 - blocks.interpolated(p, |block| steadiness.at(block)));
-            1.0 - change * unsteady * (1.0 - coherence(&ratios))
+            let steadiness = steadiness.map_or(0.0, |steadiness| blocks.interpolated(p, |block| steadiness.at(block)));
+            // A doubt is no change that the gradient missed.
+            let missed = (1.0 - change) * steadiness.min(0.0).powi(2);
+            1.0 - (change * (1.0 - steadiness.max(0.0)) * (1.0 - coherence(&ratios))).max(missed)
         }
         HistoryConfidenceInput::Confidence(host) => match host.at(p)[0] {
             c if c.is_finite() => c.clamp(0.0, 1.0),
@@ -210,6 +212,26 @@ mod tests {
         assert_eq!(confidence[4], 1.0 - 0.5 / 8.0, "half a pixel beyond its centre");
         assert_eq!(confidence[11], 0.5 / 8.0, "half a pixel before that of the block that changed");
         assert_eq!(confidence[20..], [0.5; 4], "the other edge");
+    }
+
+    #[test]
+    fn a_change_that_a_gradient_missed_drops_history_where_blocks_are_sure() {
+        let confidence = |delta: f32, steadiness: f32, coherence: f32| {
+            let gradient = paint([3, 3], |_, _| [delta, 1.0, 0.0, 0.0]);
+            let ratio = paint([3, 3], |_, _| [2.0, 2.0, 2.0, coherence]);
+            let steadiness = paint([1, 1], |_, _| steadiness);
+            let input = HistoryConfidenceInput::Gradient {
+                gradient: &gradient,
+                stratum_size: 3,
+                light_ratio: Some(&ratio),
+                other: None,
+                steadiness: Some(&steadiness),
+            };
+            history_confidence(&frame([8, 8]), &svgf_tuning(), [8, 8], input).at(glam::IVec2::splat(4))
+        };
+        assert_eq!([-1.0, -0.5, 0.0, 1.0].map(|steadiness| confidence(0.0, steadiness, 0.0)), [0.0, 0.75, 1.0, 1.0]);
+        assert_eq!(confidence(1.0, -1.0, 1.0), 1.0, "what the gradient saw is scaled");
+        assert_eq!(confidence(1.0, -1.0, 0.0), 0.0);
     }
 
     #[test]
