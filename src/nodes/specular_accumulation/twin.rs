@@ -12,7 +12,8 @@ use crate::reference::luminance::{luminance, texel_luminance};
 use crate::reference::luminance_history::{luminance_history_of, split_luminance_history, LuminanceHistory, Reason};
 use crate::reference::material::{classes_beyond, tuning_at};
 use crate::reference::reflection::{
-    hit_distance_of, lobe_radius, mirror_share, mixed_roughness, pack_reflection, reach, roughness_of, SeenReflection, UNKNOWN_ROUGHNESS,
+    hit_distance_of, lobe_radius, mirror_share, mixed_roughness, pack_reflection, reach, roughness_of, SeenReflection,
+    UNKNOWN_ROUGHNESS,
 };
 use crate::reference::rules::{pixels, rule, STATISTICS};
 use crate::reference::scenery::Instances;
@@ -188,7 +189,8 @@ impl Scene<'_> {
         }
         let unknown = if self.inputs.is_mixed || stored != UNKNOWN_ROUGHNESS { seen.roughness } else { 0.0 };
         let best = self.best_past(&c, &mut seen, unknown, reaches, explained);
-        let (texel, luminance_history) = best.as_ref().map_or(fresh(noisy, Reason::Depth), |best| self.blend(&c, noisy, mirrored, best));
+        let (texel, luminance_history) =
+            best.as_ref().map_or(fresh(noisy, Reason::Depth), |best| self.blend(&c, noisy, mirrored, best));
         let instances = &self.inputs.instances;
         let is_bad = [
             instances.lacks_transform(self.frame, &c.mirror, seen.hit_distance),

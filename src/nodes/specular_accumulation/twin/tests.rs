@@ -125,8 +125,12 @@ fn mixed_light_that_changed_is_kept_by_the_part_that_is_no_image() {
         let history = Image::new(EXTENT, [1.0; 4]);
         let wall = Wall { reflectances, history, ..Wall::new(0.0, 4.0, roughness) };
         let light_ratio = Some(StrataRatio { image: &ratio, stratum_size: 3 });
-        let inputs =
-            SpecularAccumulationInputs { history_confidence: Some(&confidence), is_beside_diffuse: true, light_ratio, ..wall.inputs() };
+        let inputs = SpecularAccumulationInputs {
+            history_confidence: Some(&confidence),
+            is_beside_diffuse: true,
+            light_ratio,
+            ..wall.inputs()
+        };
         let outputs = specular_accumulation(&wall.frame, &tuning(), &inputs);
         let at = IVec2::new(15, 8);
         (outputs.accumulated.at(at).map(|value| (value * 100.0).round()), outputs.luminance_history.at(at).history_length)
