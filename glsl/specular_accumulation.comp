@@ -6,12 +6,12 @@
 // In:  guide (current, previous), surface_motion; noisy: specular irradiance, hit distance; roughness of the host; history and
 //      moments of the previous frame, and its reflection; history_confidence as in temporal_accumulation.comp; by which instances the mirror
 //      and the thing in it move: specular_hit_id, surface_id, instance_transforms; or the thing by the host: specular_motion, scene units.
-//      Of mixed light: albedo and specular_albedo, which tell how much of it a lobe explains. material_class.
+//      Of mixed light: albedo and specular_albedo, which tell how much of it a lobe explains; light_ratio, of what is no image. material_class.
 // Out: statistics; accumulated: irradiance, history length; new_luminance; reflection: filtered hit distance (scene units), roughness, which past was taken.
 // Constants: FILTERED: what is accumulated was filtered, so that what is kept longer is blurred more often.
 // MIXED: diffuse and specular light are one signal. The lobe is as wide as both together allow, and a past counts by how far it is off for the
 // part of the light that moves otherwise.
-// BESIDE_DIFFUSE: history_confidence has that of specular light in its last bits.
+// BESIDE_DIFFUSE: history_confidence has that of specular light, or of images in mixed light, in its last bits. STRATUM_SIZE: with light_ratio.
 // SHARP: irradiance by the cubic of Catmull and Rom (1974) over 4x4 taps, so that motion does not blur it; taps count as far as normals agree.
 // optional: roughness, history_confidence, specular_hit_id, specular_motion, surface_id, instance_transforms, albedo, specular_albedo, material_class, light_ratio
 #extension GL_EXT_control_flow_attributes : require

@@ -137,10 +137,17 @@ fn mixed_light_that_changed_is_kept_by_the_part_that_is_no_image() {
     };
     assert_eq!(after(1.0, 0.0, 1.0), ([400.0, 100.0, 25.0, 0.0], 1001.0), "plaster");
     assert_eq!(after(0.0, 1.0, 0.0), ([0.0, 0.0, 0.0, 0.0], 1.0), "a mirror");
-    // Half of the light is an image.
+    // A lobe that explains half of the light is as wide as both together may be blurred.
+    let wall = Wall::new(0.0, 4.0, 0.0);
+    let lobe = SeenReflection { hit_distance: 4.0, roughness: 0.0 };
+    let image = 0.5 * mirror_share(mixed_roughness(&wall.frame, WALL, lobe, 0.5));
+    assert!(image > 0.2, "{image}");
     let (light, frames) = after(1.0, 1.0, 0.0);
-    assert_eq!(frames, 2.0);
-    assert_eq!(light, [100.0, 50.0, 25.0, 0.0], "half of 2, 1 and 1/2");
+    assert!((frames * image - 1.0).abs() < 0.01, "{frames} frames");
+    for (value, ratio) in light.iter().zip([4.0_f32, 1.0, 0.25]) {
+        let expected = 100.0 * (1.0 - image) * ratio.powf(1.0 - image);
+        assert!((value - expected).abs() <= 1.0, "{value} for {expected}");
+    }
 }
 
 #[test]
