@@ -395,7 +395,7 @@ Past best_past(Centre c, float roughness, float unknown, float explained, vec2 r
     bool in_lobe = found && (!is_known || is_in_lobe(position, before.thing, seen.roughness));
     bool moves = found && moved > STILL;
     if (told_by_light && surface.found) chance = image_chance(c, moves, position, surface);
-    // An image at the place of the surface would blur the sharp past beside it, of mixed light, or tells nothing.
+    // An image at the place of the surface tells nothing, and in mixed light it would blur the sharp past that is there.
     bool is_tried = MIXED ? in_lobe && moves : is_known ? in_lobe : moves && (!surface.found || chance > UNLIKELY);
     if (is_tried) image = past_at(c, position, before.followed ? ANY_THING : thing);
     if (!told_by_light) {

@@ -14,7 +14,7 @@ use crate::shaders;
 pub struct ChangeTest {
     /// Confidence in the history.
     pub confidence: Confidence,
-    /// Certainty of no change, block by block: there a gradient is noise.
+    /// Certainty of no change, block by block: there a gradient is noise. Below 0, certainty of a change, which a gradient may miss.
     pub steadiness: Option<Steadiness>,
 }
 
@@ -30,8 +30,8 @@ impl Graph {
         self.add_change_test(difference, None)
     }
 
-    /// [`Self::change_test`], and in the same pass the certainty that nothing changed: neither that
-    /// mean nor one of its nine blocks departs by more than noise.
+    /// [`Self::change_test`], and in the same pass the certainty that nothing changed, from 1 to −1: neither that
+    /// mean nor one of its nine blocks departs by more than noise, or they do for sure.
     pub fn change_and_steadiness(&mut self, difference: &Difference) -> ChangeTest {
         let label = self.label_of(difference);
         let steadiness = self.named_image("steadiness", &label, CONFIDENCE, BLOCK_SIZE, Lifetime::Transient);

@@ -13,7 +13,8 @@ impl Graph {
     /// Confidence in the history, from the reconstructed gradient. With a ratio of light it is
     /// confidence in the history that [`crate::nodes::Accumulation::light_ratio`] scales. Pixels
     /// without a known gradient take the confidence of `tested`: all pixels, in frames without
-    /// re-shaded samples. Where the test is sure that nothing changed, a gradient does not count.
+    /// re-shaded samples. Where the test is sure that nothing changed, a gradient does not count;
+    /// where it is sure of a change that no gradient shows, the history is dropped.
     pub fn history_confidence(&mut self, gradient: &Gradient, tested: Option<&ChangeTest>) -> Confidence {
         let node = self.node("history_confidence", "");
         let pass = pass(&node, &shaders::HISTORY_CONFIDENCE_SOURCE_0)
