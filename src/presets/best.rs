@@ -91,10 +91,11 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let reflected = past.reflected.and_then(|reflected| reflected.difference);
     let confidence = match (&gradient, &difference, &reflected) {
-        (Some(gradient), Some(difference), Some(specular)) => g.tested_confidence_of_both(gradient, difference, specular),
-        (Some(gradient), Some(difference), None) if config.signals == Signals::Mixed => {
-            g.tested_confidence_of_mixed(gradient, difference)
+        (Some(gradient), Some(difference), Some(specular)) => {
+            let both = g.pair(difference, specular);
+            g.tested_confidence_of_both(gradient, &both)
         }
+        (Some(gradient), Some(mixed), None) if config.signals == Signals::Mixed => g.tested_confidence_of_both(gradient, mixed),
         (Some(gradient), Some(difference), None) => g.tested_confidence(gradient, difference),
         (Some(gradient), None, _) => g.history_confidence(gradient, None),
         (None, ..) => g.host_confidence(),

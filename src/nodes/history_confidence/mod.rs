@@ -29,21 +29,10 @@ impl Graph {
         self.confidence_by(pass)
     }
 
-    /// [`Self::tested_confidence`] of diffuse light, and beside it, in the last bits, that of specular light without the ratio.
-    pub(crate) fn tested_confidence_of_both(
-        &mut self,
-        gradient: &Gradient,
-        diffuse: &Difference,
-        specular: &Difference,
-    ) -> Confidence {
-        let differences = self.pair(diffuse, specular);
-        let pass = self.tested(gradient, &differences).constant("BOTH", 1);
-        self.confidence_by(pass)
-    }
-
-    /// [`Self::tested_confidence`] of light that is mixed, and beside it, in the last bits, that of its images, without the ratio.
-    pub(crate) fn tested_confidence_of_mixed(&mut self, gradient: &Gradient, difference: &Difference) -> Confidence {
-        let pass = self.tested(gradient, difference).constant("BOTH", 1);
+    /// [`Self::tested_confidence`] of diffuse light, and beside it, in the last bits, that of specular light without the ratio. `differences`: of
+    /// both, or of light that is mixed.
+    pub(crate) fn tested_confidence_of_both(&mut self, gradient: &Gradient, differences: &Difference) -> Confidence {
+        let pass = self.tested(gradient, differences).constant("BOTH", 1);
         self.confidence_by(pass)
     }
 
