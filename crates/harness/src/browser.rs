@@ -64,11 +64,11 @@ impl Chromium {
             }});</script>"
         );
         let html = html.replacen("<head>", &format!("<head>{WATCH}"), 1).replacen("</body>", &format!("{run}</body>"), 1);
-        // In a frame: no window is as narrow as a phone.
+        // In a frame: no window is as narrow as a phone. The outer page is the file, whose encoding a browser would guess.
         let [width, height] = extent;
         let html = html.replace('&', "&amp;").replace('"', "&quot;");
         let html = format!(
-            "<!DOCTYPE html><body><iframe width={width} height={height} style=\"border:0\" srcdoc=\"{html}\"></iframe></body>"
+            "<!DOCTYPE html><meta charset=\"utf-8\"><body><iframe width={width} height={height} style=\"border:0\" srcdoc=\"{html}\"></iframe></body>"
         );
         let dom = self.dump(&html).unwrap_or_else(|problem| panic!("{problem}"));
         let json = dom.rsplit_once("<script type=\"observed\">").and_then(|(_, rest)| rest.split_once("</script>"));
