@@ -4,6 +4,8 @@
 // in both directions; and where light has next to no noise, of each difference against that (src/nodes/change_test/specification.md).
 // In:  per signal block_difference. Out: history_confidence, 1 (keep) to 0 (drop), and steadiness, one texel a block: 1 where neither the mean
 //      nor one of its blocks departs by what could be more than noise, to -1 where they changed for sure; the least of the signals.
+// Constants: BOTH: block_difference_1 is of specular light, whose confidence is beside that of diffuse light. Without that image all light is one, and
+// both confidences are of it.
 // optional: block_difference_1, steadiness
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -20,6 +22,7 @@ layout(push_constant) uniform Push {
 #include "optional.glsl"
 #include "guide.glsl"
 #include "blocks.glsl"
+#include "both_confidences.glsl"
 
 layout(local_size_x = ROW_PIXELS) in;
 
@@ -33,7 +36,8 @@ layout(set = 0, binding = BLOCK_DIFFERENCE_1) uniform utexture2D block_differenc
 layout(set = 0, binding = STEADINESS, r32f) uniform writeonly image2D steadiness;
 
 bool wants_steadiness() { return is_present(STEADINESS); }
-#define TESTS 1
+layout(constant_id = 1) const bool BOTH = false;
+bool tests_each() { return BOTH; }
 #include "change_test.glsl"
 
 void main() {
@@ -43,9 +47,13 @@ void main() {
     if (wants_steadiness() && i < ROW_BLOCKS && is_block(block)) imageStore(steadiness, block, vec4(verdicts[i + 1u + CHANGES_WIDTH]));
     ivec2 top = ivec2(gl_GlobalInvocationID.x, gl_WorkGroupID.y * uint(BLOCK_SIZE));
     if (!is_inside(top)) return;
-    Column c = column_of(0u, top);
+    Column c = column_of(0u, top), other = c;
+    if (BOTH && is_wired(BLOCK_DIFFERENCE_1)) other = column_of(1u, top);
     [[unroll]] for (int y = 0; y < BLOCK_SIZE; ++y) {
         ivec2 p = top + ivec2(0, y);
-        if (is_inside(p)) imageStore(history_confidence, host_pixel(HISTORY_CONFIDENCE, p), vec4(tested_confidence(c, top, y)));
+        if (!is_inside(p)) continue;
+        float confidence = tested_confidence(c, top, y);
+        if (BOTH) confidence = both_confidences(confidence, tested_confidence(other, top, y));
+        imageStore(history_confidence, host_pixel(HISTORY_CONFIDENCE, p), vec4(confidence));
     }
 }

@@ -64,13 +64,12 @@ layout(set = 0, binding = HISTORY_CONFIDENCE, r32f) uniform writeonly image2D hi
 #if SOURCE != 1
 // What is known of changes besides the gradient.
 #if SOURCE == 2
-#define TESTS 2
 layout(constant_id = 2) const bool BOTH = false;
 bool tests_each() { return BOTH; }
 bool wants_steadiness() { return true; }
 #include "change_test.glsl"
 
-Column tested_columns[TESTS];
+Column tested_columns[2];
 
 bool has_other() { return true; }
 uint test_of(uint light) { return is_wired(BLOCK_DIFFERENCE_1) ? light : 0u; }

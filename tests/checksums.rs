@@ -58,6 +58,8 @@ fn configurations() -> Vec<(&'static str, Config)> {
         ("svgf specular", Config { signals: Signals::Specular, ..base }),
         ("best specular", Config { signals: Signals::Specular, ..best }),
         ("best reshaded, apart", Config { gradient_source: GradientSource::Reshaded, signals: Signals::Apart, ..best }),
+        ("best compared", Config { gradient_source: GradientSource::ChangeTest, ..best }),
+        ("best compared, specular", Config { gradient_source: GradientSource::ChangeTest, signals: Signals::Specular, ..best }),
         ("fast", fast),
         ("fast apart, fireflies", Config { signals: Signals::Apart, firefly_filter: true, ..fast }),
         ("eaw", eaw),

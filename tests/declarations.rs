@@ -17,10 +17,12 @@ fn uses_equal_the_spirv_by_a_second_reader() {
         (Preset::Asvgf, GradientSource::Reshaded),
         (Preset::Asvgf, GradientSource::Sparse),
         (Preset::Asvgf, GradientSource::Confidence),
+        (Preset::Asvgf, GradientSource::ChangeTest),
         (Preset::Stabilize, GradientSource::ForwardProjected),
         (Preset::Percentile, GradientSource::default()),
         (Preset::Fast, GradientSource::default()),
         (Preset::Best, GradientSource::default()),
+        (Preset::Best, GradientSource::ChangeTest),
         (Preset::Eaw, GradientSource::default()),
         (Preset::Volume, GradientSource::default()),
     ];

@@ -1,9 +1,9 @@
 //! Temporal gradients: what they see, and what they leave alone.
 
 use super::support::host::{Host, Shaded};
-use super::support::{assert_valid, pixels, rmse, scene::Scene, warnings};
-use atrous::config::{GradientSource, Preset};
-use atrous::{Config, FrameParams};
+use super::support::{assert_valid, frame, pixels, rmse, scene::Scene, session, warnings};
+use atrous::config::{GradientSource, Preset, Signals};
+use atrous::{Config, FrameParams, Tuning};
 use atrous_harness::DeviceTest;
 
 pub const TESTS: &[DeviceTest] = &[
@@ -15,6 +15,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("history_follows_light_that_changes_as_a_whole", history_follows_light_that_changes_as_a_whole),
     ("a_static_scene_is_as_steady_as_with_svgf", a_static_scene_is_as_steady_as_with_svgf),
     ("without_reshading_history_is_trusted_and_it_is_said_once", without_reshading_history_is_trusted_and_it_is_said_once),
+    ("without_samples_no_gradient_is_needed", without_samples_no_gradient_is_needed),
     ("a_local_change_stays_local", a_local_change_stays_local),
     ("stabilize_takes_flicker_from_another_denoiser", stabilize_takes_flicker_from_another_denoiser),
 ];
@@ -197,6 +198,28 @@ fn without_reshading_history_is_trusted_and_it_is_said_once() {
         host.frame_with(&scene, 0, &scene.params(0));
     }
     assert_eq!(warnings()[said..], [] as [String; 0]);
+    assert_valid();
+}
+
+/// The picture of passes that find no gradient, to the bit, without them.
+fn without_samples_no_gradient_is_needed() {
+    for signals in Signals::ALL {
+        let config = Config { preset: Preset::Best, signals, gradient_source: GradientSource::Reshaded, ..Config::new(EXTENT) };
+        let alone = Config { gradient_source: GradientSource::ChangeTest, ..config };
+        let declared = [config, alone].map(|config| config.declare().expect("valid"));
+        let passes = declared.each_ref().map(|declaration| declaration.passes().len());
+        assert!(passes[1] + 6 <= passes[0], "{signals}: {passes:?} passes");
+        let bytes = declared.each_ref().map(|declaration| declaration.memory().history + declaration.memory().transient);
+        assert!(bytes[1] < bytes[0], "{signals}: {bytes:?} bytes");
+        let mut sessions = [config, alone].map(|config| session(&config));
+        for i in 0..6 {
+            let scene = Scene { speed: 0.12, light: if i % 3 == 2 { 0.3 } else { 1.0 }, ..Scene::new(EXTENT) };
+            let tuning = Tuning::for_preset(Preset::Best);
+            let [with, without] =
+                sessions.each_mut().map(|session| frame(session, &scene.frame(i, i), &scene.params(i), &tuning).1);
+            assert_eq!(with, without, "{signals}, frame {i}");
+        }
+    }
     assert_valid();
 }
 

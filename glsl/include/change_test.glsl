@@ -1,7 +1,7 @@
 // Unless a frame departs from its history by more than noise explains, that is still true. Twin: src/nodes/change_test/twin.rs.
 // Needs `float adaptivity` and `float change_threshold` in the shader's block `push`, a workgroup of eight blocks with an invocation a column, the
-// images block_difference_0 and _1, the latter at the binding BLOCK_DIFFERENCE_1, `bool wants_steadiness()`, and TESTS: of both signals together, or
-// 2 where `bool tests_each()` may ask for one of each.
+// images block_difference_0 and _1, the latter at the binding BLOCK_DIFFERENCE_1, `bool wants_steadiness()`, and `bool tests_each()`: whether each
+// signal is tested by itself.
 #ifndef CHANGE_TEST_GLSL
 #define CHANGE_TEST_GLSL
 #include "blocks.glsl"
@@ -32,10 +32,10 @@ const uint WIDTH = ROW_BLOCKS + 4u;
 const uint CHANGES_WIDTH = ROW_BLOCKS + 2u;
 const uint CHANGES = CHANGES_WIDTH * 3u;
 shared BlockDifference blocks[WIDTH * 5u];
-shared float changes[TESTS * CHANGES];
-shared float departures[TESTS * CHANGES];
+shared float changes[2u * CHANGES];
+shared float departures[2u * CHANGES];
 // 1, sure that nothing changed, to -1, sure that something did.
-shared float verdicts[TESTS * CHANGES];
+shared float verdicts[2u * CHANGES];
 
 ivec2 first_block() { return ivec2(gl_WorkGroupID.xy) * ivec2(ROW_BLOCKS, 1); }
 
@@ -143,11 +143,8 @@ void load_changes() {
         barrier();
         if (i < CHANGES) {
             Change other = change_of(corner);
-#if TESTS == 2
             if (tests_each()) share(CHANGES + i, other);
-            else
-#endif
-            change = Change(max(change.of_mean, other.of_mean), max(change.of_pixels, other.of_pixels), max(change.unsteadiness, other.unsteadiness));
+            else change = Change(max(change.of_mean, other.of_mean), max(change.of_pixels, other.of_pixels), max(change.unsteadiness, other.unsteadiness));
         }
     }
     if (i < CHANGES) share(i, change);

@@ -9,7 +9,7 @@ use crate::{DebugView, ResetReason, ToneCurve};
 const STABLE: [(&str, u32, &str); 18] = [
     ("AdaptiveRule", 0, "change_test percentiles"),
     ("DepthEncoding", 0, "linear device ray_length"),
-    ("GradientSource", 0, "forward_projected reshaded sparse confidence"),
+    ("GradientSource", 0, "forward_projected reshaded sparse confidence change_test"),
     ("Kernel", 0, "spline box"),
     ("MotionDepth", 0, "none difference absolute"),
     ("MotionDirection", 0, "previous_minus_current current_minus_previous"),

@@ -97,7 +97,7 @@ choices! {
         Percentiles = 1 => "percentiles",
     }
 
-    /// Source of the temporal gradients of [`Preset::Asvgf`] and [`Preset::Stabilize`].
+    /// Source of the knowledge that light changed, for [`Preset::Best`], [`Preset::Asvgf`] and [`Preset::Stabilize`].
     #[derive(Default)]
     #[non_exhaustive]
     pub enum GradientSource {
@@ -118,11 +118,14 @@ choices! {
         /// An image `confidence` with one texel per pixel, if your engine knows the changes: x from
         /// 1, keep the history, to 0, drop it.
         Confidence = 3 => "confidence",
+        /// None: you shade nothing again. Light is compared with its own history by blocks of pixels, as
+        /// [`Preset::Fast`] does. There are no passes of gradients.
+        ChangeTest = 4 => "change_test",
     }
 }
 
 impl Preset {
-    /// Whether it reads gradients of light, by [`crate::Config::gradient_source`].
+    /// Whether it asks for the source of changes of light, by [`crate::Config::gradient_source`].
     pub const fn has_gradients(self) -> bool {
         matches!(self, Self::Asvgf | Self::Stabilize | Self::Best)
     }

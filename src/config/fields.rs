@@ -53,7 +53,8 @@ macro_rules! config_fields {
                 adaptive_rule: filter choice AdaptiveRule = AdaptiveRule::default();
                 /// Side of the strata of temporal gradients, 2 to 4 pixels. Default: 3 \[ASVGF\]. Only for presets with gradients.
                 stratum_size: filter number u32 = 3;
-                /// Source of the temporal gradients. Only for presets with gradients. Default: [`GradientSource::ForwardProjected`].
+                /// Source of the temporal gradients. Only for presets with gradients. If you cannot shade again, take
+                /// [`GradientSource::ChangeTest`]: fewer passes and bytes. Default: [`GradientSource::ForwardProjected`].
                 gradient_source: filter choice GradientSource = GradientSource::default();
                 /// Whether you have an image `forward_motion`, for deforming surfaces. It has the motion of every pixel
                 /// of the previous frame to this frame. Only for forward-projected gradients. Default: false.

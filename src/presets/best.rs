@@ -3,7 +3,7 @@
 use super::past::{Compared, Past};
 use super::specular::{compared, demodulated, filtered, Specular};
 use super::{firefly_filter, gradient_samples, noisy, Denoised};
-use crate::config::{Config, Signals};
+use crate::config::{Config, GradientSource, Signals};
 use crate::graph::{Feedback, Graph, Guides};
 use crate::nodes::{Accumulation, Atrous, Estimator, Intermediates, Kernel, LuminanceWeight, Variance};
 
@@ -78,7 +78,8 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
     let (irradiance, reflected) = demodulated(g, guides, config, &noisy, gradient, samples);
     let mut past = Past::new(g, config, &irradiance, reflected, best.feedback);
     let history = past.history;
-    let (irradiance, difference, usual) = match best.change_test && gradient.is_some() {
+    let is_known = config.gradient_source == GradientSource::Confidence;
+    let (irradiance, difference, usual) = match best.change_test && !is_known {
         true => {
             let Compared { irradiance, difference, usual } = past.compared(g, guides, irradiance, best.firefly_filter);
             (irradiance, Some(difference), usual)
@@ -90,24 +91,24 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
     };
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let reflected = past.reflected.and_then(|reflected| reflected.difference);
-    let confidence = match (&gradient, &difference, &reflected) {
-        (Some(gradient), Some(difference), Some(specular)) => {
-            let both = g.pair(difference, specular);
-            g.tested_confidence_of_both(gradient, &both)
+    let confidence = match (&difference, &gradient) {
+        (Some(difference), gradient) => {
+            let both = reflected.map(|specular| g.pair(difference, &specular));
+            let of_both = both.is_some() || config.signals == Signals::Mixed;
+            Some(g.tested_confidence(gradient.as_ref(), &both.unwrap_or(*difference), of_both))
         }
-        (Some(gradient), Some(mixed), None) if config.signals == Signals::Mixed => g.tested_confidence_of_both(gradient, mixed),
-        (Some(gradient), Some(difference), None) => g.tested_confidence(gradient, difference),
-        (Some(gradient), None, _) => g.history_confidence(gradient, None),
-        (None, ..) => g.host_confidence(),
+        (None, Some(gradient)) => Some(g.history_confidence(gradient, None)),
+        (None, None) => is_known.then(|| g.host_confidence()),
     };
     let light_ratio = gradient.and_then(|gradient| gradient.light_ratio());
-    let accumulation = Accumulation { confidence: Some(confidence), sharp: best.sharp, light_ratio, ..Accumulation::default() };
+    let accumulation = Accumulation { confidence, sharp: best.sharp, light_ratio, ..Accumulation::default() };
     let Best { variance, feedback, spatial, .. } = best;
     let specular = Specular {
         feedback,
         variance,
         sharp: best.sharp,
-        confidence: Some(confidence),
+        confidence,
+        difference: difference.filter(|_| gradient.is_none() && reflected.is_none()),
         gradient: gradient.filter(|_| reflected.is_none()),
         change_test: best.change_test,
         ..Specular::default()
@@ -119,7 +120,7 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
         history: Some(history),
         reflection: estimated.reflection(),
         deviation: true,
-        confidence: Some(confidence),
+        confidence,
         gradient,
         usual,
         ..Intermediates::new(&noisy)

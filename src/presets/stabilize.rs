@@ -17,18 +17,22 @@ pub fn stabilize(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let other = g.radiance("other_denoised_radiance");
     // A host that knows what changed need not show the noisy picture.
     let compared = if gradients.is_some() { g.radiance("noisy_radiance") } else { other };
-    let change = change_of_light(g, guides, &compared, gradients);
+    let change = change_of_light(g, guides, config, &compared, gradients);
     let irradiance = g.demodulate(guides, &other, Demodulate { gradient: change.gradient, ..Demodulate::default() });
     let (irradiance, usual) = firefly_filter(g, guides, irradiance, config, config.firefly_filter);
     let history = g.history(&irradiance, Feedback::Accumulated);
-    let accumulation = Accumulation { confidence: Some(change.confidence), ..Accumulation::default() };
+    let confidence = change.confidence.unwrap_or_else(|| {
+        let difference = g.block_difference(guides, &irradiance, &history);
+        g.change_test(&difference)
+    });
+    let accumulation = Accumulation { confidence: Some(confidence), ..Accumulation::default() };
     let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
     let variance = Variance { estimator: Estimator::Temporal, ..Variance::default() };
     let estimate = g.variance(guides, &accumulated, &history, variance);
     let radiance = g.modulate(guides, &estimate.into(), modulate(config));
     let intermediates = Intermediates {
         history: Some(history),
-        confidence: Some(change.confidence),
+        confidence: Some(confidence),
         gradient: change.gradient,
         usual,
         ..Intermediates::new(&other)

@@ -5,12 +5,13 @@ use crate::{Declaration, UseFrame};
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
-const GRADIENT_SOURCES: [(GradientSource, bool); 5] = [
+const GRADIENT_SOURCES: [(GradientSource, bool); 6] = [
     (GradientSource::ForwardProjected, false),
     (GradientSource::ForwardProjected, true),
     (GradientSource::Reshaded, false),
     (GradientSource::Sparse, false),
     (GradientSource::Confidence, false),
+    (GradientSource::ChangeTest, false),
 ];
 
 /// Every structural configuration that changes a declaration.

@@ -41,8 +41,8 @@ fn configs(extent: [u32; 2]) -> Vec<Config> {
     let of = |preset| Signals::ALL.map(|signals| Config { preset, signals, ..Config::new(extent) });
     let has_one = |config: &Config| matches!(config.preset, Preset::Stabilize | Preset::Volume);
     let all = Preset::ALL.into_iter().flat_map(of).filter(|config| config.signals == Signals::Together || !has_one(config));
-    let sources = [GradientSource::Reshaded, GradientSource::Sparse, GradientSource::Confidence];
-    let sourced = [Preset::Asvgf, Preset::Stabilize]
+    let sources = [GradientSource::Reshaded, GradientSource::Sparse, GradientSource::Confidence, GradientSource::ChangeTest];
+    let sourced = [Preset::Asvgf, Preset::Stabilize, Preset::Best]
         .into_iter()
         .flat_map(|preset| sources.map(|gradient_source| Config { preset, gradient_source, ..Config::new(extent) }));
     let beside = |preset, sampling| Config { preset, sampling, visibility: 1, volume: true, ..Config::new(extent) };

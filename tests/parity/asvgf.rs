@@ -110,6 +110,18 @@ pub(super) fn reshaded_sequence(config: &Config) {
     });
 }
 
+pub fn compared() {
+    compared_sequence(&config([67, 35]));
+}
+
+/// With light that is compared with its history, and shaded again nowhere.
+pub(super) fn compared_sequence(config: &Config) {
+    for signals in Signals::ALL {
+        let config = Config { signals, gradient_source: GradientSource::ChangeTest, ..*config };
+        sequence(&config, config.allocated_extent, |_, _, _| {});
+    }
+}
+
 pub fn sparse_and_confidence() {
     sparse_and_confidence_sequence(&config([40, 23]));
 }
@@ -129,7 +141,9 @@ pub(super) fn sparse_and_confidence_sequence(config: &Config) {
 }
 
 pub fn stabilize() {
-    for (gradient_source, firefly_filter) in [(GradientSource::ForwardProjected, false), (GradientSource::Confidence, true)] {
+    let sources =
+        [(GradientSource::ForwardProjected, false), (GradientSource::Confidence, true), (GradientSource::ChangeTest, false)];
+    for (gradient_source, firefly_filter) in sources {
         let config = Config { preset: Preset::Stabilize, gradient_source, firefly_filter, ..config([40, 23]) };
         sequence(&config, [40, 23], |s, i, scene| {
             if gradient_source == GradientSource::Confidence {

@@ -1,6 +1,6 @@
 //! Sequences of the preset that scales its history by the light.
 
-use super::asvgf::{graph_sequence, reshaded_sequence, sequence, sparse_and_confidence_sequence};
+use super::asvgf::{compared_sequence, graph_sequence, reshaded_sequence, sequence, sparse_and_confidence_sequence};
 use crate::sampling::is_sampled;
 use crate::support::{pixels, scene::Scene};
 use atrous::config::{GradientSource, Preset, Sampling, Signals};
@@ -27,6 +27,10 @@ pub fn reshaded() {
     }
 }
 
+pub fn compared() {
+    compared_sequence(&config([67, 35]));
+}
+
 pub fn sparse_and_confidence() {
     sparse_and_confidence_sequence(&config([40, 23]));
 }
@@ -43,6 +47,12 @@ pub fn without_parts() {
         let graph = config.graph_with(|g, guides, config| best_with(g, guides, config, parts));
         let graph = graph.and_then(Graph::finish).expect("valid");
         graph_sequence(graph, &config, [67, 35], |_, _, _| {});
+    }
+    for change_test in [true, false] {
+        let config = Config { signals: Signals::Specular, gradient_source: GradientSource::ChangeTest, ..config([67, 35]) };
+        let parts = Best { change_test, firefly_filter: false, ..Best::new(&config) };
+        let graph = config.graph_with(|g, guides, config| best_with(g, guides, config, parts));
+        graph_sequence(graph.and_then(Graph::finish).expect("valid"), &config, [67, 35], |_, _, _| {});
     }
 }
 

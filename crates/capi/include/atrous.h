@@ -251,6 +251,7 @@ typedef enum AtrousGradientSource {
   ATROUS_GRADIENT_SOURCE_RESHADED = 1,
   ATROUS_GRADIENT_SOURCE_SPARSE = 2,
   ATROUS_GRADIENT_SOURCE_CONFIDENCE = 3,
+  ATROUS_GRADIENT_SOURCE_CHANGE_TEST = 4,
 } AtrousGradientSource;
 
 typedef enum AtrousSampling {
@@ -634,8 +635,9 @@ typedef struct AtrousConfig {
   uint32_t adaptive_rule;
   // Side of the strata of temporal gradients, 2 to 4 pixels. Only for presets with gradients. Default: 3.
   uint32_t stratum_size;
-  // Source of the temporal gradients. Only for presets with gradients. 0 (forward_projected), 1 (reshaded), 2 (sparse), 3
-  // (confidence). Default: 0.
+  // Source of the temporal gradients. Only for presets with gradients. If you cannot shade again, take
+  // `GradientSource::ChangeTest`: fewer passes and bytes. 0 (forward_projected), 1 (reshaded), 2 (sparse), 3
+  // (confidence), 4 (change_test). Default: 0.
   uint32_t gradient_source;
   // Whether you have an image `forward_motion`, for deforming surfaces. It has the motion of every pixel of the previous
   // frame to this frame. Only for forward-projected gradients. 0 (false), 1 (true). Default: 0.

@@ -104,6 +104,7 @@ enum class GradientSource : uint32_t {
     Reshaded = ATROUS_GRADIENT_SOURCE_RESHADED,
     Sparse = ATROUS_GRADIENT_SOURCE_SPARSE,
     Confidence = ATROUS_GRADIENT_SOURCE_CONFIDENCE,
+    ChangeTest = ATROUS_GRADIENT_SOURCE_CHANGE_TEST,
 };
 inline void set(AtrousConfig& config, GradientSource value) { config.gradient_source = static_cast<uint32_t>(value); }
 

@@ -33,8 +33,9 @@ pub struct Cli {
     /// Filter; best, or that of a capture, where none is given
     ///
     /// best and asvgf react to changed light by layers with the samples of the previous frame re-shaded in the scene of this frame
-    /// (reshade_direct, reshade_indirect); best, percentile and fast by the noisy image alone, where there are none. eaw filters every
-    /// frame by itself. stabilize accumulates what another denoiser made of the frames (other_denoised), by the gradients of asvgf.
+    /// (reshade_direct, reshade_indirect); where there are none, and with percentile and fast, by the noisy image alone. eaw filters
+    /// every frame by itself. stabilize accumulates what another denoiser made of the frames (other_denoised), by the changes that asvgf
+    /// would see.
     #[arg(long, value_parser = preset())]
     pub preset: Option<Preset>,
 

@@ -406,10 +406,12 @@ pub fn is_about_previous(role: Role) -> bool {
 
 /// The source of gradients, by what the frames have; a capture names it itself.
 fn gradient_source(mapping: &Mapping) -> GradientSource {
+    let is_shaded_again = [Role::Reshaded, Role::ReshadeDirect, Role::ReshadeIndirect].into_iter().any(|role| mapping.has(role));
     match () {
         () if mapping.has(Role::SparseGradient) => GradientSource::Sparse,
         () if mapping.has(Role::Confidence) => GradientSource::Confidence,
-        () => GradientSource::Reshaded,
+        () if is_shaded_again => GradientSource::Reshaded,
+        () => GradientSource::ChangeTest,
     }
 }
 

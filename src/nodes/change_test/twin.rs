@@ -5,7 +5,8 @@ use crate::nodes::block_difference::twin::{unpack_difference, Difference, LOUD, 
 use crate::nodes::percentile_rule::twin::lin;
 use crate::reference::bindings::Bindings;
 use crate::reference::blocks::{block_of, Blocks, BLOCK_SIZE};
-use crate::reference::compare::{Reading, Rule, Unit};
+use crate::reference::both_confidences::both_confidences;
+use crate::reference::compare::{Condition, Reading, Rule, Unit};
 use crate::reference::rules::{pixels, rule, STEEP};
 use crate::reference::Image;
 use crate::{Error, FrameConstants, Tuning};
@@ -145,12 +146,24 @@ fn errors([sum, variance, brighter]: [f32; 3]) -> f32 {
 }
 
 /// How what it writes is compared with the GPU.
-pub(crate) const RULES: &[Rule] = &[pixels("history_confidence", STEEP), rule("steadiness", Unit::Block, Reading::Plain, STEEP)];
+pub(crate) const RULES: &[Rule] = &[
+    pixels("history_confidence", STEEP),
+    Rule { when: Condition::Is("BOTH", 1), ..rule("history_confidence", Unit::Pixel, Reading::SpecularConfidence, STEEP) },
+    rule("steadiness", Unit::Block, Reading::Plain, STEEP),
+];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let extent = b.extent_of("history_confidence")?;
-    let outputs = change_test(b.frame, b.tuning, extent, &b.packed_signals("block_difference")?);
+    let differences = b.packed_signals("block_difference")?;
+    if b.is_on("BOTH")? {
+        // Of light that is mixed there is one difference.
+        let [diffuse, specular] = [&differences[..1], &differences[differences.len() - 1..]]
+            .map(|of_signal| change_test(b.frame, b.tuning, extent, of_signal).history_confidence);
+        let both = |p| both_confidences(diffuse.at(p), specular.at(p));
+        return b.write("history_confidence", Image::compute(extent, b.frame.render_extent, both));
+    }
+    let outputs = change_test(b.frame, b.tuning, extent, &differences);
     b.write("history_confidence", outputs.history_confidence)?;
     if b.has("steadiness") {
         b.write("steadiness", outputs.steadiness)?;

@@ -23,28 +23,22 @@ impl Graph {
         self.confidence_by(of_gradient(pass, gradient))
     }
 
-    /// [`Self::history_confidence`] with [`Self::change_and_steadiness`] of `difference` in the same pass.
-    pub(crate) fn tested_confidence(&mut self, gradient: &Gradient, difference: &Difference) -> Confidence {
-        let pass = self.tested(gradient, difference);
-        self.confidence_by(pass)
-    }
-
-    /// [`Self::tested_confidence`] of diffuse light, and beside it, in the last bits, that of specular light without the ratio. `differences`: of
-    /// both, or of light that is mixed.
-    pub(crate) fn tested_confidence_of_both(&mut self, gradient: &Gradient, differences: &Difference) -> Confidence {
-        let pass = self.tested(gradient, differences).constant("BOTH", 1);
-        self.confidence_by(pass)
+    /// [`Self::history_confidence`] with [`Self::change_and_steadiness`] of `difference` in the same pass; without a gradient
+    /// [`Self::change_test`]. `of_both`: of diffuse light, and beside it, in the last bits, that of specular light without the ratio, by the
+    /// differences of both, or of light that is mixed.
+    pub(crate) fn tested_confidence(&mut self, gradient: Option<&Gradient>, difference: &Difference, of_both: bool) -> Confidence {
+        let Some(gradient) = gradient else { return self.add_change_test(difference, None, of_both) };
+        let node = self.node("history_confidence", "");
+        let pass = pass(&node, &shaders::HISTORY_CONFIDENCE_SOURCE_2)
+            .grid(Grid::Columns(BLOCK_SIZE))
+            .constant("BOTH", of_both.into())
+            .each("block_difference", difference.images());
+        self.confidence_by(of_gradient(pass, gradient))
     }
 
     /// Whether a confidence has that of specular light beside it.
     pub(super) fn is_of_both(&self, confidence: &Confidence) -> bool {
         self.writer_has(confidence.image(), "BOTH")
-    }
-
-    fn tested(&mut self, gradient: &Gradient, difference: &Difference) -> Pass {
-        let node = self.node("history_confidence", "");
-        let pass = pass(&node, &shaders::HISTORY_CONFIDENCE_SOURCE_2).grid(Grid::Columns(BLOCK_SIZE));
-        of_gradient(pass.each("block_difference", difference.images()), gradient)
     }
 
     /// Confidence in the history, from your own estimate: the input `confidence`.

@@ -267,6 +267,7 @@ fn every_source_of_gradients_is_replayed() {
         inputs.params.reshaded = true;
         inputs.images.push(("forward_motion", texels(i, 0.02)));
     });
+    replay_of(Config { preset: Preset::Best, gradient_source: GradientSource::ChangeTest, ..base }, |_, _| ());
     for gradient_source in [GradientSource::ForwardProjected, GradientSource::Confidence] {
         replay_of(Config { preset: Preset::Stabilize, gradient_source, ..base }, |i, inputs| {
             inputs.params.reshaded = true;

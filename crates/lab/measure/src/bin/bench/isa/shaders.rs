@@ -26,6 +26,10 @@ fn configurations() -> Vec<Config> {
     }
     all.extend(AdaptiveRule::ALL.map(|adaptive_rule| Config { preset: Preset::Percentile, adaptive_rule, ..base }));
     all.extend(GradientSource::ALL.map(|gradient_source| Config { preset: Preset::Asvgf, gradient_source, ..base }));
+    all.extend([Signals::Together, Signals::Specular].map(|signals| {
+        let gradient_source = GradientSource::ChangeTest;
+        Config { preset: Preset::Best, signals, gradient_source, ..base }
+    }));
     all.extend(Sampling::ALL.map(|sampling| Config { preset: Preset::Eaw, sampling, ..base }));
     all.extend(Signals::ALL.map(|signals| Config { sampling: Sampling::OneOf2x2, signals, ..base }));
     all.push(Config { debug_view: true, object_normal: true, surface_id: false, ..base });
