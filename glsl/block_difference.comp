@@ -23,7 +23,7 @@ layout(set = 0, binding = 3) uniform utexture2D surface_motion;
 layout(set = 0, binding = 5, rgba16f) uniform restrict readonly image2D irradiance;
 layout(set = 0, binding = 6, rgba16f) uniform restrict readonly image2D history;
 layout(set = 0, binding = 7) uniform utexture2D previous_luminance_history;
-layout(set = 0, binding = 8, rgba16ui) uniform writeonly uimage2D block_difference;
+layout(set = 0, binding = 8, rgba32ui) uniform writeonly uimage2D block_difference;
 
 #define guide_at(p) imageLoad(guide, p)
 #define irradiance_at(p) imageLoad(irradiance, p)

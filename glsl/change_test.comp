@@ -4,9 +4,11 @@
 // in both directions; and where light has next to no noise, of each difference against that (src/nodes/change_test/specification.md).
 // In:  per signal block_difference. Out: history_confidence, 1 (keep) to 0 (drop), and steadiness, one texel a block: 1 where neither the mean
 //      nor one of its blocks departs by what could be more than noise, to -1 where they changed for sure; the least of the signals.
+//      With RATIO light_ratio as well, one texel a block: by which the light of each component changed, in alpha 1, -1 where there is no history.
 // Constants: BOTH: block_difference_1 is of specular light, whose confidence is beside that of diffuse light. Without that image all light is one, and
 // both confidences are of it.
 // optional: block_difference_1, steadiness
+// variants: RATIO=0 RATIO=1
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
@@ -35,6 +37,10 @@ layout(set = 0, binding = 2) uniform utexture2D block_difference_0;
 layout(set = 0, binding = BLOCK_DIFFERENCE_1) uniform utexture2D block_difference_1;
 layout(set = 0, binding = STEADINESS, r32f) uniform writeonly image2D steadiness;
 
+#if RATIO
+layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D light_ratio;
+#endif
+
 bool wants_steadiness() { return is_present(STEADINESS); }
 layout(constant_id = 1) const bool BOTH = false;
 bool tests_each() { return BOTH; }
@@ -45,6 +51,9 @@ void main() {
     uint i = gl_LocalInvocationIndex;
     ivec2 block = first_block() + ivec2(i, 0);
     if (wants_steadiness() && i < ROW_BLOCKS && is_block(block)) imageStore(steadiness, block, vec4(verdicts[i + 1u + CHANGES_WIDTH]));
+#if RATIO
+    if (i < ROW_BLOCKS && is_block(block)) imageStore(light_ratio, block, ratios[i + 1u + CHANGES_WIDTH]);
+#endif
     ivec2 top = ivec2(gl_GlobalInvocationID.x, gl_WorkGroupID.y * uint(BLOCK_SIZE));
     if (!is_inside(top)) return;
     Column c = column_of(0u, top), other = c;

@@ -49,7 +49,7 @@ layout(set = 0, binding = 5) uniform utexture2D surface_motion;
 // Vulkan guarantees four storage images alone.
 layout(set = 0, binding = 7) uniform texture2D history;
 layout(set = 0, binding = 8) uniform utexture2D previous_luminance_history;
-layout(set = 0, binding = 9, rgba16ui) uniform writeonly uimage2D block_difference;
+layout(set = 0, binding = 9, rgba32ui) uniform writeonly uimage2D block_difference;
 layout(set = 0, binding = 10) uniform utexture2D block_percentiles;
 layout(set = 0, binding = 11) uniform utexture2D previous_firefly_limits;
 #define RETURNING 1

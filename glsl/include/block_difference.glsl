@@ -11,9 +11,9 @@
 
 struct Sums {
     float count;
-    float now;
-    float before;
-    float squared_difference;
+    vec3 now;
+    vec3 before;
+    float squared_difference;  // of luminance
     float uncertainty;  // 1/N: what the noise of the history adds, relative to that of one sample
     float curvature;    // squared second differences along columns
     float curved;       // their number
@@ -21,7 +21,7 @@ struct Sums {
     float outside;      // squares of how far both sides lie outside of each other, as a variance
 };
 
-const Sums NONE = Sums(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+const Sums NONE = Sums(0.0, vec3(0.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
 
 // Of the columns of the blocks in a row.
 shared Sums sums[ROW_PIXELS];
@@ -40,12 +40,12 @@ Sums sums_of(ivec2 pixel) {
     ivec2 p = nearest_inside(pixel), tap;
     bool counts = nearest_history(p, GuideBits(guide_at(p)), surface_motion, previous_guide, tap);
     vec4 texel = irradiance_at(p);
-    float now = luminance(texel.rgb);
-    float before = min(luminance(history_at(tap).rgb) * frame.exposure_ratio, 65504.0);
+    vec3 before = min(history_at(tap).rgb * frame.exposure_ratio, 65504.0);
+    float difference = luminance(texel.rgb - before);
     LuminanceHistory luminance_history = unpack_luminance_history(texelFetch(previous_luminance_history, tap, 0).x);
     float deviation = luminance_history.deviation * frame.exposure_ratio;
     float uncertainty = 1.0 / max(luminance_history.history_length, 1.0);
-    Sums of_sample = Sums(1.0, now, before, (now - before) * (now - before), uncertainty, 0.0, 0.0, deviation * deviation, 0.0);
+    Sums of_sample = Sums(1.0, texel.rgb, before, difference * difference, uncertainty, 0.0, 0.0, deviation * deviation, 0.0);
     if (counts && p == pixel && texel.a >= 0.0) return of_sample;
     return NONE;
 }
@@ -62,7 +62,10 @@ void add(inout Sums sum, Sums other) {
     sum.outside += other.outside;
 }
 
-uint both_of(Sums of_pixel) { return of_pixel.count > 0.0 ? packHalf2x16(min(vec2(of_pixel.now, of_pixel.before), 65504.0)) : NEITHER; }
+uint both_of(Sums of_pixel) {
+    vec2 luminances = vec2(luminance(of_pixel.now), luminance(of_pixel.before));
+    return of_pixel.count > 0.0 ? packHalf2x16(min(luminances, 65504.0)) : NEITHER;
+}
 
 // How far each side of a pixel lies outside of the range of the other there and beside it, in the same block. Light that was resampled, and an edge that
 // lies between two pixels, do not. Noise does: by its variance over n - 1/2, of n pixels.
@@ -94,7 +97,7 @@ void write_block_difference() {
     for (int y = 1; y < BLOCK_SIZE; ++y) {
         Sums below = sums_of(top + ivec2(0, y));
         both[i + ROW_PIXELS * uint(y)] = both_of(below);
-        float curve = above.now - 2.0 * middle.now + below.now, counts = above.count * middle.count * below.count;
+        float curve = luminance(above.now - 2.0 * middle.now + below.now), counts = above.count * middle.count * below.count;
         sum.curvature += counts * curve * curve;
         sum.curved += counts;
         above = middle;
@@ -111,16 +114,16 @@ void write_block_difference() {
     sum = sums[i * uint(BLOCK_SIZE)];
     for (uint x = 1u; x < uint(BLOCK_SIZE); ++x) add(sum, sums[i * uint(BLOCK_SIZE) + x]);
     float inverse = 1.0 / max(sum.count, 1.0);
-    float mean = (sum.now - sum.before) * inverse;
+    vec3 now = sum.now * inverse, before = sum.before * inverse;
+    float mean = luminance(now - before);
     float variance = max(0.0, sum.squared_difference * inverse - mean * mean) * (1.0 + sum.uncertainty * inverse);
-    float brighter = max(sum.now, sum.before) * inverse;
+    float brighter = max(luminance(now), luminance(before));
     // Of white noise, a second difference has six times its variance. Without one, nothing is known of it. An edge bends as noise does, and stays in
     // the range of its past.
     bool is_known = sum.curved > 0.0 && brighter > 0.0;
     float noise = is_known ? sqrt(min(sum.curvature / (6.0 * sum.curved), NOISE_THAT_HIDES * sum.outside * inverse)) / brighter : LOUD;
     float past_noise = is_known ? sqrt(sum.variance * inverse) / brighter : RARE;
-    BlockDifference difference = BlockDifference(mean, sqrt(variance), sum.count, brighter, noise, past_noise);
-    imageStore(block_difference, block, pack_block_difference(difference));
+    imageStore(block_difference, block, pack_block_difference(now, before, sqrt(variance), uint(sum.count), noise, past_noise));
 }
 
 #endif

@@ -4,6 +4,7 @@
 #define BLOCKS_GLSL
 #include "frame.glsl"
 #include "guide.glsl"
+#include "luminance.glsl"
 
 const int BLOCK_SIZE = 8;
 const uint BLOCK_PIXELS = 64u;
@@ -38,7 +39,9 @@ BlockPercentiles unpack_block_percentiles(uint packed) {
 
 // How far the light of a block departs from its history.
 struct BlockDifference {
-    float mean;       // this frame minus the history
+    vec3 now;         // mean light of this frame
+    vec3 before;      // and of the history
+    float mean;       // luminance of this frame minus that of the history
     float deviation;  // of one difference, the noise of the history included
     float count;      // pixels with a history
     float brighter;   // the larger of the mean luminances of both sides
@@ -54,16 +57,22 @@ const float PAST_NOISE_STEPS = 15.0;
 
 uint steps_of(float noise, float most, float steps) { return uint(floor(min(noise, most) / most * steps + 0.5)); }
 
-uvec4 pack_block_difference(BlockDifference d) {
-    vec3 values = clamp(vec3(d.mean, d.deviation, d.brighter), -65504.0, 65504.0);
-    uint noise = steps_of(d.noise, LOUD, NOISE_STEPS), past_noise = steps_of(d.past_noise, RARE, PAST_NOISE_STEPS);
-    uint packed = uint(d.count) | noise << 7 | past_noise << 12;
-    return uvec4(half_bits(values.x), half_bits(values.y), packed, half_bits(values.z));
+uvec4 pack_block_difference(vec3 now, vec3 before, float deviation, uint count, float noise, float past_noise) {
+    now = clamp(now, -65504.0, 65504.0);
+    before = clamp(before, -65504.0, 65504.0);
+    uint packed = count | steps_of(noise, LOUD, NOISE_STEPS) << 7 | steps_of(past_noise, RARE, PAST_NOISE_STEPS) << 12;
+    uint last = half_bits(min(deviation, 65504.0)) | packed << 16;
+    return uvec4(packHalf2x16(now.rg), packHalf2x16(vec2(now.b, before.r)), packHalf2x16(before.gb), last);
 }
 
 BlockDifference unpack_block_difference(uvec4 packed) {
-    float noise = float(packed.z >> 7 & 31u) * (LOUD / NOISE_STEPS), past_noise = float(packed.z >> 12) * (RARE / PAST_NOISE_STEPS);
-    return BlockDifference(half_value(packed.x), half_value(packed.y), float(packed.z & 127u), half_value(packed.w), noise, past_noise);
+    uint last = packed.w >> 16;
+    float noise = float(last >> 7 & 31u) * (LOUD / NOISE_STEPS), past_noise = float(last >> 12) * (RARE / PAST_NOISE_STEPS);
+    vec2 middle = unpackHalf2x16(packed.y);
+    vec3 now = vec3(unpackHalf2x16(packed.x), middle.x), before = vec3(middle.y, unpackHalf2x16(packed.z));
+    vec2 luminances = vec2(luminance(now), luminance(before));
+    float brighter = max(luminances.x, luminances.y), deviation = half_value(packed.w & 0xffffu);
+    return BlockDifference(now, before, luminances.x - luminances.y, deviation, float(last & 127u), brighter, noise, past_noise);
 }
 
 struct FireflyLimit {

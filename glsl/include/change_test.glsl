@@ -1,7 +1,7 @@
 // Unless a frame departs from its history by more than noise explains, that is still true. Twin: src/nodes/change_test/twin.rs.
 // Needs `float adaptivity` and `float change_threshold` in the shader's block `push`, a workgroup of eight blocks with an invocation a column, the
-// images block_difference_0 and _1, the latter at the binding BLOCK_DIFFERENCE_1, `bool wants_steadiness()`, and `bool tests_each()`: whether each
-// signal is tested by itself.
+// images block_difference_0 and _1, the latter at the binding BLOCK_DIFFERENCE_1, `bool wants_steadiness()`: whether gradients are known besides, so that it
+// takes more to drop a history; and `bool tests_each()`: whether each signal is tested by itself.
 #ifndef CHANGE_TEST_GLSL
 #define CHANGE_TEST_GLSL
 #include "blocks.glsl"
@@ -27,6 +27,21 @@ const vec2 ALONE = vec2(1.5, 2.0);
 // Fewer pixels tell nothing of their noise.
 const float ALONE_PIXELS = 8.0;
 
+// Shares of the noise that count where it is usual, of that of single pixels and of that which blocks have in common: neither were samples of the past
+// rare, nor is there new light, which may be a cluster of outliers.
+const vec2 USUAL = vec2(0.6, 0.85);
+// The brightest block of this frame over that of the history: up to the first, light is not new.
+const vec2 NEW_LIGHT = vec2(1.05, 1.3);
+
+// A change of a component is worth the history from this share on of a change of the mean that is.
+const float WORTH_OF_PART = 0.5;
+
+// Errors of the mean, as shares of the light, between which a ratio of light is no longer known.
+const vec2 KNOWN = vec2(0.1, 0.2);
+const float LARGEST_RATIO = 64.0;
+// Share of the brightest component, below which a component has no ratio of its own.
+const float RATIO_FLOOR = 1e-3;
+
 // The blocks of the row with two around them, and the change of these with one around them.
 const uint WIDTH = ROW_BLOCKS + 4u;
 const uint CHANGES_WIDTH = ROW_BLOCKS + 2u;
@@ -36,6 +51,8 @@ shared float changes[2u * CHANGES];
 shared float departures[2u * CHANGES];
 // 1, sure that nothing changed, to -1, sure that something did.
 shared float verdicts[2u * CHANGES];
+// Of the light of all signals, or of the first, where each is tested by itself.
+shared vec4 ratios[CHANGES];
 
 ivec2 first_block() { return ivec2(gl_WorkGroupID.xy) * ivec2(ROW_BLOCKS, 1); }
 
@@ -77,7 +94,21 @@ struct Change {
     float of_mean;       // 0 to 1, over 3x3 blocks or the one in the middle alone, in standard errors, against the threshold
     float of_pixels;     // the same of the differences of the block in the middle, where the noise explains none
     float unsteadiness;
+    // For the ratio of light:
+    vec3 now;
+    vec3 before;
+    float power;  // 1, to be applied, to 0; -1: there is no history
 };
+
+const Change NO_CHANGE = Change(0.0, 0.0, 0.0, vec3(0.0), vec3(0.0), -1.0);
+
+// In standard errors, of the component of light that changed most; it has noise as far as it has part in the luminance.
+float errors_of_parts(vec3 now, vec3 before, float variance, float brighter) {
+    vec3 difference = LUMINANCE_PARTS * (now - before);
+    vec3 share = LUMINANCE_PARTS * max(now, before) / max(max(luminance(now), luminance(before)), 1e-6);
+    float red = errors_of(difference.r, variance * share.r * share.r, WORTH_OF_PART * brighter);
+    return max(red, errors_of(difference.b, variance * share.b * share.b, WORTH_OF_PART * brighter));
+}
 
 // `spread`: of the means of the blocks around.
 float change_alone(BlockDifference block, float spread) {
@@ -89,7 +120,8 @@ float change_alone(BlockDifference block, float spread) {
 
 Change change_of(uint corner) {
     float count = 0.0, sum = 0.0, variance = 0.0, brighter = 0.0, worst = 0.0, noise = 0.0, past_noise = 0.0;
-    float squares = 0.0, spread = 0.0;
+    float squares = 0.0, spread = 0.0, brightest_now = 0.0, brightest_before = 0.0;
+    vec3 now = vec3(0.0), before = vec3(0.0);
     bool complete = true;
     // Few invocations come here, and where branches are masked instead of skipped only a loop ends.
     [[dont_unroll]] for (uint i = 0u; i < 9u; ++i) {
@@ -102,16 +134,18 @@ Change change_of(uint corner) {
         sum += of_sum;
         variance += of_variance;
         brighter += of_brighter;
+        now += block.count * block.now;
+        before += block.count * block.before;
+        brightest_now = max(brightest_now, block.brighter + min(block.mean, 0.0));
+        brightest_before = max(brightest_before, block.brighter - max(block.mean, 0.0));
         noise += block.count * block.noise * block.noise;
         past_noise = max(past_noise, block.past_noise);
         if (wants_steadiness()) worst = max(worst, errors_of(of_sum, of_variance, of_brighter));
     }
-    if (complete) {
-        // Noise that neighbours share is not averaged within a block.
-        spread = spread_from(corner);
-        variance = max(variance, squares * spread * spread);
-    }
-    float errors = errors_of(sum, variance, brighter);
+    // Noise that neighbours share is not averaged within a block.
+    if (complete) spread = spread_from(corner);
+    float shared_variance = squares * spread * spread;
+    float errors = errors_of(sum, max(variance, shared_variance), brighter);
     vec2 mean = push.change_threshold * STEADY_MEAN, block = push.change_threshold * STEADY_BLOCK;
     float steady = count == 0.0 ? 0.0 : (1.0 - lin(mean.x, mean.y, errors)) * (1.0 - lin(block.x, block.y, worst));
     noise = sqrt(noise / max(count, 1.0));
@@ -119,8 +153,17 @@ Change change_of(uint corner) {
     float explained = own.brighter * max(noise, CHANGE_EPSILON * push.change_threshold), square = own.mean * own.mean + own.deviation * own.deviation;
     float is_quiet = (1.0 - lin(QUIET, LOUD, noise)) * (1.0 - lin(SPREAD, RARE, past_noise));
     float departs = is_quiet * lin(1.0, 2.0, square / max(explained * explained, 1e-12));
+    float is_known = 1.0 - lin(KNOWN.x, KNOWN.y, sqrt(max(variance, shared_variance)) / max(luminance(now), 1e-6));
+    float is_new = lin(NEW_LIGHT.x, NEW_LIGHT.y, brightest_now / max(brightest_before, 1e-6));
+    if (!wants_steadiness()) {
+        vec2 counted = mix(USUAL, vec2(1.0), max(is_new, lin(SPREAD, RARE, past_noise)));
+        variance = max(counted.x * counted.x * variance, counted.y * counted.y * shared_variance);
+        // Light may change its colour alone.
+        errors = max(errors_of(sum, variance, brighter), errors_of_parts(now, before, variance, brighter));
+    }
     float of_mean = max(lin(push.change_threshold, 2.0 * push.change_threshold, errors), change_alone(own, spread));
-    return Change(of_mean, departs, 1.0 - steady);
+    float power = own.count == 0.0 ? -1.0 : own.count < ALONE_PIXELS ? 0.0 : of_mean * is_known;
+    return Change(of_mean, departs, 1.0 - steady, own.now, own.before, power);
 }
 
 void share(uint place, Change change) {
@@ -129,11 +172,19 @@ void share(uint place, Change change) {
     verdicts[place] = 1.0 - change.unsteadiness - push.adaptivity * change.of_mean;
 }
 
+// By which each component of the light changed; in alpha -1 where there is no history.
+vec4 ratio_of(Change change) {
+    vec3 now = max(change.now, 0.0), before = max(change.before, 0.0);
+    float least = RATIO_FLOOR * max(before.r, max(before.g, before.b)) + 1e-6;
+    vec3 ratio = clamp((now + least) / (before + least), 1.0 / LARGEST_RATIO, LARGEST_RATIO);
+    return vec4(pow(ratio, vec3(push.adaptivity * max(change.power, 0.0))), change.power < 0.0 ? -1.0 : 1.0);
+}
+
 // Of each signal, or of the worst. Every invocation of a workgroup takes part in the barriers.
 void load_changes() {
     uint i = gl_LocalInvocationIndex;
     uint corner = i % CHANGES_WIDTH + WIDTH * (i / CHANGES_WIDTH);
-    Change change = Change(0.0, 0.0, 0.0);
+    Change change = NO_CHANGE;
     load_blocks(block_difference_0);
     barrier();
     if (i < CHANGES) change = change_of(corner);
@@ -144,10 +195,20 @@ void load_changes() {
         if (i < CHANGES) {
             Change other = change_of(corner);
             if (tests_each()) share(CHANGES + i, other);
-            else change = Change(max(change.of_mean, other.of_mean), max(change.of_pixels, other.of_pixels), max(change.unsteadiness, other.unsteadiness));
+            else {
+                change.of_mean = max(change.of_mean, other.of_mean);
+                change.of_pixels = max(change.of_pixels, other.of_pixels);
+                change.unsteadiness = max(change.unsteadiness, other.unsteadiness);
+                change.now += other.now;
+                change.before += other.before;
+                change.power = max(change.power, other.power);
+            }
         }
     }
-    if (i < CHANGES) share(i, change);
+    if (i < CHANGES) {
+        share(i, change);
+        ratios[i] = ratio_of(change);
+    }
     barrier();
 }
 

@@ -2,7 +2,9 @@
 #define LUMINANCE_GLSL
 
 // Rec. 709.
-float luminance(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }
+const vec3 LUMINANCE_PARTS = vec3(0.2126, 0.7152, 0.0722);
+
+float luminance(vec3 c) { return dot(c, LUMINANCE_PARTS); }
 
 // Within what a half-float image can hold; NaN becomes 0.
 vec4 half_range(vec4 c) { return min(max(c, vec4(0.0)), vec4(65504.0)); }

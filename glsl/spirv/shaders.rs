@@ -256,7 +256,7 @@ pub(crate) static BLOCK_DIFFERENCE: Shader = Shader {
         ShaderBinding { number: 5, name: Cow::Borrowed("irradiance"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadOnly), optional: false },
         ShaderBinding { number: 6, name: Cow::Borrowed("history"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadOnly), optional: false },
         ShaderBinding { number: 7, name: Cow::Borrowed("previous_luminance_history"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
-        ShaderBinding { number: 8, name: Cow::Borrowed("block_difference"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 8, name: Cow::Borrowed("block_difference"), kind: BindingKind::StorageImage(TexelFormat::Rgba32ui, BindingAccess::WriteOnly), optional: false },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("depth_tolerance"), offset: 0, scalar: Scalar::Float },
@@ -284,14 +284,35 @@ pub(crate) static BLOCK_PERCENTILES: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 1, scalar: Scalar::Bool, default: 0 },
     ]),
 };
-pub(crate) static CHANGE_TEST: Shader = Shader {
-    stage: Cow::Borrowed("change_test"), name: Cow::Borrowed("change_test"), spirv: Cow::Borrowed(include_bytes!("change_test.spv")), workgroup: [64, 1, 1],
+pub(crate) static CHANGE_TEST_RATIO_0: Shader = Shader {
+    stage: Cow::Borrowed("change_test"), name: Cow::Borrowed("change_test_ratio_0"), spirv: Cow::Borrowed(include_bytes!("change_test_ratio_0.spv")), workgroup: [64, 1, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("history_confidence"), kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly), optional: false },
         ShaderBinding { number: 2, name: Cow::Borrowed("block_difference_0"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
         ShaderBinding { number: 3, name: Cow::Borrowed("block_difference_1"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
         ShaderBinding { number: 4, name: Cow::Borrowed("steadiness"), kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly), optional: true },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("adaptivity"), offset: 4, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("change_threshold"), offset: 8, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("BOTH"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("OF_HOST"), id: 29, scalar: Scalar::Uint, default: 0 },
+    ]),
+};
+pub(crate) static CHANGE_TEST_RATIO_1: Shader = Shader {
+    stage: Cow::Borrowed("change_test"), name: Cow::Borrowed("change_test_ratio_1"), spirv: Cow::Borrowed(include_bytes!("change_test_ratio_1.spv")), workgroup: [64, 1, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("history_confidence"), kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("block_difference_0"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("block_difference_1"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 4, name: Cow::Borrowed("steadiness"), kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly), optional: true },
+        ShaderBinding { number: 5, name: Cow::Borrowed("light_ratio"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
@@ -531,7 +552,7 @@ pub(crate) static FIREFLY_DIFFERENCE_1: Shader = Shader {
         ShaderBinding { number: 5, name: Cow::Borrowed("surface_motion"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
         ShaderBinding { number: 7, name: Cow::Borrowed("history"), kind: BindingKind::SampledImage(Component::Float), optional: false },
         ShaderBinding { number: 8, name: Cow::Borrowed("previous_luminance_history"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
-        ShaderBinding { number: 9, name: Cow::Borrowed("block_difference"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 9, name: Cow::Borrowed("block_difference"), kind: BindingKind::StorageImage(TexelFormat::Rgba32ui, BindingAccess::WriteOnly), optional: false },
         ShaderBinding { number: 10, name: Cow::Borrowed("block_percentiles"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
         ShaderBinding { number: 11, name: Cow::Borrowed("previous_firefly_limits"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
     ]),
@@ -2098,4 +2119,4 @@ pub(crate) static VOLUME_POINTS: Shader = Shader {
     ]),
 };
 #[cfg(test)]
-pub(crate) static ALL: &[&Shader] = &[&ATROUS_SIGNALS_1, &ATROUS_SIGNALS_2, &ATROUS_SIGNALS_1_SPECULAR_1, &ATROUS_SIGNALS_2_SPECULAR_1, &ATROUS_SIGNALS_1_MATERIAL_1, &ATROUS_SIGNALS_2_MATERIAL_1, &ATROUS_SIGNALS_1_SPECULAR_1_MATERIAL_1, &ATROUS_SIGNALS_2_SPECULAR_1_MATERIAL_1, &BLOCK_DIFFERENCE, &BLOCK_PERCENTILES, &CHANGE_TEST, &CLEAR_CLAIMS, &DEBUG_VIEW, &DEMODULATE_LUMINANCE_0, &DEMODULATE_LUMINANCE_1, &EAW_SIGNALS_1, &EAW_SIGNALS_2, &FILL_HOLES, &FILTER_EXPOSURE, &FIREFLY_DIFFERENCE_0, &FIREFLY_DIFFERENCE_1, &FIREFLY_LIMITS_RETURNING_0, &FIREFLY_LIMITS_RETURNING_1, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1, &GRADIENT, &GRADIENT_ATROUS_RATIO_0, &GRADIENT_ATROUS_RATIO_1, &HISTORY_CONFIDENCE_SOURCE_0, &HISTORY_CONFIDENCE_SOURCE_1, &HISTORY_CONFIDENCE_SOURCE_2, &IMPORT_SURFACE_ID_0_OBJECT_NORMALS_0, &IMPORT_SURFACE_ID_1_OBJECT_NORMALS_0, &IMPORT_SURFACE_ID_0_OBJECT_NORMALS_1, &IMPORT_SURFACE_ID_1_OBJECT_NORMALS_1, &MODULATE_FLOAT_0, &MODULATE_FLOAT_1, &MODULATE_FLOAT_0_UPSAMPLED_1, &MODULATE_FLOAT_1_UPSAMPLED_1, &PERCENTILE_RULE, &REACTIVE_MASK, &SAMPLE_ALBEDO, &SHADOWED_LIGHT_FLOAT_0, &SHADOWED_LIGHT_FLOAT_1, &SPECULAR_ACCUMULATION, &TEMPORAL_ACCUMULATION_SIGNALS_1, &TEMPORAL_ACCUMULATION_SIGNALS_2, &TEMPORAL_UPSCALE_FLOAT_0, &TEMPORAL_UPSCALE_FLOAT_1, &TEMPORAL_UPSCALE_FLOAT_0_SURFACE_ID_0, &TEMPORAL_UPSCALE_FLOAT_0_SURFACE_ID_1, &TEMPORAL_UPSCALE_FLOAT_1_SURFACE_ID_0, &TEMPORAL_UPSCALE_FLOAT_1_SURFACE_ID_1, &TONE_MAP, &UPSAMPLE_NUMBER_0, &UPSAMPLE_NUMBER_1, &VARIANCE_SIGNALS_1, &VARIANCE_SIGNALS_2, &VISIBILITY_ACCUMULATION_MANY_0_COLOUR_0, &VISIBILITY_ACCUMULATION_MANY_0_COLOUR_1, &VISIBILITY_ACCUMULATION_MANY_1_COLOUR_0, &VISIBILITY_ACCUMULATION_MANY_1_COLOUR_1, &VISIBILITY_FILTER_LAST_0_MANY_0_COLOUR_0, &VISIBILITY_FILTER_LAST_1_MANY_0_COLOUR_0, &VISIBILITY_FILTER_LAST_0_MANY_0_COLOUR_1, &VISIBILITY_FILTER_LAST_1_MANY_0_COLOUR_1, &VISIBILITY_FILTER_LAST_0_MANY_1_COLOUR_0, &VISIBILITY_FILTER_LAST_1_MANY_1_COLOUR_0, &VISIBILITY_FILTER_LAST_0_MANY_1_COLOUR_1, &VISIBILITY_FILTER_LAST_1_MANY_1_COLOUR_1, &VISIBILITY_SAMPLES_MANY_0_COLOUR_0, &VISIBILITY_SAMPLES_MANY_0_COLOUR_1, &VISIBILITY_SAMPLES_MANY_1_COLOUR_0, &VISIBILITY_SAMPLES_MANY_1_COLOUR_1, &VOLUME_MOTION_RESOLVE_0, &VOLUME_MOTION_RESOLVE_1, &VOLUME_POINTS, ];
+pub(crate) static ALL: &[&Shader] = &[&ATROUS_SIGNALS_1, &ATROUS_SIGNALS_2, &ATROUS_SIGNALS_1_SPECULAR_1, &ATROUS_SIGNALS_2_SPECULAR_1, &ATROUS_SIGNALS_1_MATERIAL_1, &ATROUS_SIGNALS_2_MATERIAL_1, &ATROUS_SIGNALS_1_SPECULAR_1_MATERIAL_1, &ATROUS_SIGNALS_2_SPECULAR_1_MATERIAL_1, &BLOCK_DIFFERENCE, &BLOCK_PERCENTILES, &CHANGE_TEST_RATIO_0, &CHANGE_TEST_RATIO_1, &CLEAR_CLAIMS, &DEBUG_VIEW, &DEMODULATE_LUMINANCE_0, &DEMODULATE_LUMINANCE_1, &EAW_SIGNALS_1, &EAW_SIGNALS_2, &FILL_HOLES, &FILTER_EXPOSURE, &FIREFLY_DIFFERENCE_0, &FIREFLY_DIFFERENCE_1, &FIREFLY_LIMITS_RETURNING_0, &FIREFLY_LIMITS_RETURNING_1, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1, &GRADIENT, &GRADIENT_ATROUS_RATIO_0, &GRADIENT_ATROUS_RATIO_1, &HISTORY_CONFIDENCE_SOURCE_0, &HISTORY_CONFIDENCE_SOURCE_1, &HISTORY_CONFIDENCE_SOURCE_2, &IMPORT_SURFACE_ID_0_OBJECT_NORMALS_0, &IMPORT_SURFACE_ID_1_OBJECT_NORMALS_0, &IMPORT_SURFACE_ID_0_OBJECT_NORMALS_1, &IMPORT_SURFACE_ID_1_OBJECT_NORMALS_1, &MODULATE_FLOAT_0, &MODULATE_FLOAT_1, &MODULATE_FLOAT_0_UPSAMPLED_1, &MODULATE_FLOAT_1_UPSAMPLED_1, &PERCENTILE_RULE, &REACTIVE_MASK, &SAMPLE_ALBEDO, &SHADOWED_LIGHT_FLOAT_0, &SHADOWED_LIGHT_FLOAT_1, &SPECULAR_ACCUMULATION, &TEMPORAL_ACCUMULATION_SIGNALS_1, &TEMPORAL_ACCUMULATION_SIGNALS_2, &TEMPORAL_UPSCALE_FLOAT_0, &TEMPORAL_UPSCALE_FLOAT_1, &TEMPORAL_UPSCALE_FLOAT_0_SURFACE_ID_0, &TEMPORAL_UPSCALE_FLOAT_0_SURFACE_ID_1, &TEMPORAL_UPSCALE_FLOAT_1_SURFACE_ID_0, &TEMPORAL_UPSCALE_FLOAT_1_SURFACE_ID_1, &TONE_MAP, &UPSAMPLE_NUMBER_0, &UPSAMPLE_NUMBER_1, &VARIANCE_SIGNALS_1, &VARIANCE_SIGNALS_2, &VISIBILITY_ACCUMULATION_MANY_0_COLOUR_0, &VISIBILITY_ACCUMULATION_MANY_0_COLOUR_1, &VISIBILITY_ACCUMULATION_MANY_1_COLOUR_0, &VISIBILITY_ACCUMULATION_MANY_1_COLOUR_1, &VISIBILITY_FILTER_LAST_0_MANY_0_COLOUR_0, &VISIBILITY_FILTER_LAST_1_MANY_0_COLOUR_0, &VISIBILITY_FILTER_LAST_0_MANY_0_COLOUR_1, &VISIBILITY_FILTER_LAST_1_MANY_0_COLOUR_1, &VISIBILITY_FILTER_LAST_0_MANY_1_COLOUR_0, &VISIBILITY_FILTER_LAST_1_MANY_1_COLOUR_0, &VISIBILITY_FILTER_LAST_0_MANY_1_COLOUR_1, &VISIBILITY_FILTER_LAST_1_MANY_1_COLOUR_1, &VISIBILITY_SAMPLES_MANY_0_COLOUR_0, &VISIBILITY_SAMPLES_MANY_0_COLOUR_1, &VISIBILITY_SAMPLES_MANY_1_COLOUR_0, &VISIBILITY_SAMPLES_MANY_1_COLOUR_1, &VOLUME_MOTION_RESOLVE_0, &VOLUME_MOTION_RESOLVE_1, &VOLUME_POINTS, ];

@@ -91,16 +91,17 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
     };
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let reflected = past.reflected.and_then(|reflected| reflected.difference);
-    let confidence = match (&difference, &gradient) {
+    let (confidence, light_ratio) = match (&difference, &gradient) {
         (Some(difference), gradient) => {
             let both = reflected.map(|specular| g.pair(difference, &specular));
             let of_both = both.is_some() || config.signals == Signals::Mixed;
-            Some(g.tested_confidence(gradient.as_ref(), &both.unwrap_or(*difference), of_both))
+            let (confidence, ratio) = g.tested_confidence(gradient.as_ref(), &both.unwrap_or(*difference), of_both);
+            (Some(confidence), ratio)
         }
-        (None, Some(gradient)) => Some(g.history_confidence(gradient, None)),
-        (None, None) => is_known.then(|| g.host_confidence()),
+        (None, Some(gradient)) => (Some(g.history_confidence(gradient, None)), gradient.light_ratio()),
+        (None, None) => (is_known.then(|| g.host_confidence()), None),
     };
-    let light_ratio = gradient.and_then(|gradient| gradient.light_ratio());
+    let light_ratio = light_ratio.filter(|_| best.light_ratio);
     let accumulation = Accumulation { confidence, sharp: best.sharp, light_ratio, ..Accumulation::default() };
     let Best { variance, feedback, spatial, .. } = best;
     let specular = Specular {

@@ -128,7 +128,7 @@ pub(super) fn estimated(
     } else if let Some(gradient) = specular.gradient {
         let own = specular.change_test.then(|| own(g));
         Some(g.scope(SCOPE, |g| match own {
-            Some(own) => g.tested_confidence(Some(&gradient.without_ratio()), &own, false),
+            Some(own) => g.tested_confidence(Some(&gradient.without_ratio()), &own, false).0,
             None => g.history_confidence(&gradient.without_ratio(), None),
         }))
     } else {

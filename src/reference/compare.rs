@@ -45,7 +45,7 @@ pub(crate) enum Reading {
     Counts,
     /// A texel as two or four halves.
     Halves,
-    /// Mean, deviation, pixels, both noises and the brighter side of `block_difference*`.
+    /// Light now and before, deviation, pixels and both noises of `block_difference*`.
     BlockDifference,
     /// Depth, normal, id and darkness.
     Guide,
@@ -210,6 +210,11 @@ impl Reading {
             Texels::Scalar(image) => padded([image.at(p)]),
             Texels::Packed(image) => self.of_packed(image.at(p)),
             Texels::Uint(image) => self.of_uint(image.at(p)),
+            Texels::Wide(image) if self == Self::BlockDifference => {
+                let d = unpack_difference(image.at(p));
+                let ([r, g, b], [before_r, before_g, before_b]) = (d.now, d.before);
+                padded([r, g, b, before_r, before_g, before_b, d.deviation, d.count, d.noise, d.past_noise])
+            }
             Texels::Wide(image) => {
                 // Three numbers of a word at most.
                 let words = image.at(p).map(|word| self.of_uint(word));
@@ -245,10 +250,6 @@ impl Reading {
             Self::UpscaleHistory => {
                 let kept = unpack_upscale_history(texel);
                 padded([kept.even.x, kept.even.y, kept.even.z, kept.weight.sqrt(), kept.depth])
-            }
-            Self::BlockDifference => {
-                let d = unpack_difference(texel);
-                padded([d.mean, d.deviation, d.count, d.noise, d.past_noise, d.brighter])
             }
             Self::Halves => padded(texel.map(from_half_bits)),
             _ => padded(texel.map(f32::from)),

@@ -1,8 +1,11 @@
 //! Luminance.
 
+/// The part that each component of linear RGB has in its luminance, Rec. 709.
+pub(crate) const PARTS: [f32; 3] = [0.2126, 0.7152, 0.0722];
+
 /// Rec. 709 luminance of linear RGB, in the unit of `c`.
 pub fn luminance(c: [f32; 3]) -> f32 {
-    0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]
+    PARTS[0] * c[0] + PARTS[1] * c[1] + PARTS[2] * c[2]
 }
 
 /// Luminance of the first three components of a texel.

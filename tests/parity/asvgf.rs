@@ -114,11 +114,18 @@ pub fn compared() {
     compared_sequence(&config([67, 35]));
 }
 
-/// With light that is compared with its history, and shaded again nowhere.
+/// With light that is compared with its history, and shaded again nowhere; it changes its colour alone, too.
 pub(super) fn compared_sequence(config: &Config) {
     for signals in Signals::ALL {
         let config = Config { signals, gradient_source: GradientSource::ChangeTest, ..*config };
-        sequence(&config, config.allocated_extent, |_, _, _| {});
+        sequence(&config, config.allocated_extent, |s, i, scene| {
+            if matches!(signals, Signals::Together | Signals::Mixed) && i > 0 {
+                let tint = [1.6, 0.87, 0.5, 1.0];
+                let noisy = scene.frame(i, i).noisy_radiance.into_iter();
+                let tinted: Vec<[f32; 4]> = noisy.map(|texel| [0, 1, 2, 3].map(|c| texel[c] * tint[c])).collect();
+                s.upload("noisy_radiance", &tinted).expect("noisy_radiance");
+            }
+        });
     }
 }
 

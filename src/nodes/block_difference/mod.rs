@@ -6,13 +6,13 @@ pub(crate) mod twin;
 
 use super::{pass, BLOCK_SIZE};
 use crate::contract::Grid;
-use crate::graph::{Difference, Graph, Guides, History, Irradiance, Pass, PACKED_64};
+use crate::graph::{Difference, Graph, Guides, History, Irradiance, Pass, PACKED_128};
 use crate::shaders;
 
 impl Graph {
     /// Mean difference from the history with its standard error, one pass and one image for every signal.
     pub fn block_difference(&mut self, guides: &Guides, irradiance: &Irradiance, history: &History) -> Difference {
-        let difference: Difference = self.image_each(irradiance, "block_difference", PACKED_64, BLOCK_SIZE);
+        let difference: Difference = self.image_each(irradiance, "block_difference", PACKED_128, BLOCK_SIZE);
         for (i, (input, output)) in irradiance.images().iter().zip(difference.images()).enumerate() {
             let label = self.label(*input).to_owned();
             let node = self.node("block_difference", &label);

@@ -4,7 +4,7 @@ use crate::reference::binary16::{from_half_bits, half_bits, round_to_half, LARGE
 use crate::reference::bindings::Bindings;
 use crate::reference::blocks::{allocated_blocks, Blocks};
 use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
-use crate::reference::luminance::texel_luminance;
+use crate::reference::luminance::luminance;
 use crate::reference::luminance_history::luminance_history_of;
 use crate::reference::nearest_history::HistoryGuides;
 use crate::reference::nearest_history::SignalHistory;
@@ -14,18 +14,18 @@ use crate::reference::Image;
 use crate::{Error, FrameConstants, Tuning};
 use std::collections::BTreeMap;
 
-/// Statistics that a block holds of the differences of luminance between its pixels and their history.
+/// Statistics that a block holds of its light and of that of its history.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Difference {
-    /// Mean of the differences, this frame minus the history.
-    pub mean: f32,
-    /// Standard deviation of one difference, that of the history's own noise included.
+    /// Mean light of this frame.
+    pub now: [f32; 3],
+    /// Mean light of the history.
+    pub before: [f32; 3],
+    /// Standard deviation of one difference of luminance, that of the history's own noise included.
     pub deviation: f32,
     /// Pixels with a history.
     pub count: f32,
-    /// The larger of the mean luminances of both sides.
-    pub brighter: f32,
-    /// Deviation of a pixel from those above and below, as a share of `brighter`; [`LOUD`] and more are one.
+    /// Deviation of a pixel from those above and below, as a share of the brighter side; [`LOUD`] and more are one.
     pub noise: f32,
     /// The same of samples up to the previous frame, which knows of rare light; [`RARE`] and more are one.
     pub past_noise: f32,
@@ -40,21 +40,43 @@ const NOISE_THAT_HIDES: f32 = 0.7;
 const NOISE_STEPS: f32 = 31.0;
 const PAST_NOISE_STEPS: f32 = 15.0;
 
+impl Difference {
+    /// Mean luminances of this frame and of the history.
+    pub(crate) fn luminances(&self) -> [f32; 2] {
+        [self.now, self.before].map(luminance)
+    }
+
+    /// Mean of the differences of luminance, this frame minus the history.
+    pub(crate) fn mean(&self) -> f32 {
+        let [now, before] = self.luminances();
+        now - before
+    }
+
+    /// The larger of the mean luminances of both sides.
+    pub(crate) fn brighter(&self) -> f32 {
+        let [now, before] = self.luminances();
+        now.max(before)
+    }
+}
+
 /// A texel of `block_difference*`.
-pub(crate) fn pack_difference(difference: &Difference) -> [u16; 4] {
-    let limited = |x: f32| half_bits(x.clamp(-LARGEST_HALF, LARGEST_HALF));
-    let steps = |noise: f32, most: f32, steps: f32| (noise.min(most) / most * steps + 0.5).floor() as u16;
+pub(crate) fn pack_difference(difference: &Difference) -> [u32; 4] {
+    let half = |x: f32| u32::from(half_bits(x.clamp(-LARGEST_HALF, LARGEST_HALF)));
+    let steps = |noise: f32, most: f32, steps: f32| (noise.min(most) / most * steps + 0.5).floor() as u32;
     let (noise, past) = (steps(difference.noise, LOUD, NOISE_STEPS), steps(difference.past_noise, RARE, PAST_NOISE_STEPS));
-    let packed = difference.count as u16 | noise << 7 | past << 12;
-    [limited(difference.mean), limited(difference.deviation), packed, limited(difference.brighter)]
+    let packed = difference.count as u32 | noise << 7 | past << 12;
+    let ([r, g, b], [before_r, before_g, before_b]) = (difference.now.map(half), difference.before.map(half));
+    [r | g << 16, b | before_r << 16, before_g | before_b << 16, half(difference.deviation) | packed << 16]
 }
 
 /// The content of a texel of `block_difference*`.
-pub(crate) fn unpack_difference(texel: [u16; 4]) -> Difference {
-    let [mean, deviation, _, brighter] = texel.map(from_half_bits);
-    let [count, noise, past] = [texel[2] & 127, texel[2] >> 7 & 31, texel[2] >> 12].map(f32::from);
+pub(crate) fn unpack_difference(texel: [u32; 4]) -> Difference {
+    let [[r, g], [b, before_r], [before_g, before_b], [deviation, _]] =
+        texel.map(|word| [word as u16, (word >> 16) as u16].map(from_half_bits));
+    let packed = (texel[3] >> 16) as u16;
+    let [count, noise, past] = [packed & 127, packed >> 7 & 31, packed >> 12].map(f32::from);
     let (noise, past_noise) = (noise * (LOUD / NOISE_STEPS), past * (RARE / PAST_NOISE_STEPS));
-    Difference { mean, deviation, count, brighter, noise, past_noise }
+    Difference { now: [r, g, b], before: [before_r, before_g, before_b], deviation, count, noise, past_noise }
 }
 
 /// Inputs of [`block_difference`].
@@ -69,15 +91,15 @@ pub(crate) struct BlockDifferenceInputs<'a> {
 }
 
 /// One texel a block; see [`unpack_difference`].
-pub(crate) fn block_difference(frame: &FrameConstants, tuning: &Tuning, inputs: &BlockDifferenceInputs) -> Image<[u16; 4]> {
+pub(crate) fn block_difference(frame: &FrameConstants, tuning: &Tuning, inputs: &BlockDifferenceInputs) -> Image<[u32; 4]> {
     let blocks = Blocks::new(frame.render_extent);
     Image::compute(allocated_blocks(inputs.guides.guide), blocks.extent(), |block| {
         let pairs = Blocks::pixels(block, frame.render_extent).filter_map(|p| {
             let tap = inputs.guides.nearest(frame, tuning, p).filter(|_| inputs.irradiance.at(p)[3] >= 0.0)?;
-            let before = (texel_luminance(inputs.history.irradiance.at(tap)) * frame.exposure_ratio).min(LARGEST_HALF);
+            let before = rgb(inputs.history.irradiance.at(tap)).map(|x| (x * frame.exposure_ratio).min(LARGEST_HALF));
             let luminance_history = inputs.history.luminance_history.at(tap);
             let deviation = luminance_history.deviation * frame.exposure_ratio;
-            let now = texel_luminance(inputs.irradiance.at(p));
+            let now = rgb(inputs.irradiance.at(p));
             Some((
                 (p.y, p.x),
                 Pair { now, before, uncertainty: 1.0 / luminance_history.history_length.max(1.0), variance: deviation * deviation },
@@ -87,11 +109,15 @@ pub(crate) fn block_difference(frame: &FrameConstants, tuning: &Tuning, inputs: 
     })
 }
 
+fn rgb([r, g, b, _]: [f32; 4]) -> [f32; 3] {
+    [r, g, b]
+}
+
 /// A pixel and its history.
 #[derive(Clone, Copy, Debug)]
 struct Pair {
-    now: f32,
-    before: f32,
+    now: [f32; 3],
+    before: [f32; 3],
     /// Variance of the history relative to that of one sample.
     uncertainty: f32,
     /// Of samples, up to the previous frame.
@@ -104,12 +130,14 @@ fn difference_of(pairs: &BTreeMap<(i32, i32), Pair>) -> Difference {
         return Difference { noise: LOUD, past_noise: RARE, ..Difference::default() };
     }
     let mean = |value: &dyn Fn(&Pair) -> f32| pairs.values().map(value).sum::<f32>() / pairs.len() as f32;
-    let (now, before) = (mean(&|pair| pair.now), mean(&|pair| pair.before));
-    let variance = mean(&|pair| (pair.now - pair.before - (now - before)).powi(2)) * (1.0 + mean(&|pair| pair.uncertainty));
-    let brighter = now.max(before);
+    let now = [0, 1, 2].map(|c| mean(&|pair| pair.now[c]));
+    let before = [0, 1, 2].map(|c| mean(&|pair| pair.before[c]));
+    let whole = Difference { now, before, count: pairs.len() as f32, ..Difference::default() };
+    let spread = mean(&|pair| (luminance(pair.now) - luminance(pair.before) - whole.mean()).powi(2));
+    let (variance, brighter) = (spread * (1.0 + mean(&|pair| pair.uncertainty)), whole.brighter());
     // Of white noise, a second difference has six times its variance. Without one, nothing is known of it. An edge bends as noise does, and
     // stays in the range of its past.
-    let at = |y, x| pairs.get(&(y, x)).map(|pair| pair.now);
+    let at = |y, x| pairs.get(&(y, x)).map(|pair| luminance(pair.now));
     let curves = pairs.keys().filter_map(|&(y, x)| Some(at(y - 1, x)? - 2.0 * at(y, x)? + at(y + 1, x)?));
     let (curved, curvature) = curves.fold((0.0, 0.0), |(count, sum), curve: f32| (count + 1.0, sum + curve * curve));
     let [noise, past_noise] = match curved > 0.0 && brighter > 0.0 {
@@ -120,7 +148,7 @@ fn difference_of(pairs: &BTreeMap<(i32, i32), Pair>) -> Difference {
         }
         false => [LOUD, RARE],
     };
-    Difference { mean: now - before, deviation: variance.sqrt(), count: pairs.len() as f32, brighter, noise, past_noise }
+    Difference { deviation: variance.sqrt(), noise, past_noise, ..whole }
 }
 
 /// The luminance now, or before.
@@ -132,7 +160,7 @@ fn outside_at(pairs: &BTreeMap<(i32, i32), Pair>, (y, x): (i32, i32)) -> f32 {
     let places = [(y, x), (y, x - 1), (y, x + 1), (y - 1, x), (y + 1, x)];
     let beside: Vec<&Pair> = places.iter().filter_map(|at| pairs.get(at)).collect();
     let outside = |of: Side, other: Side| beside.iter().map(|pair| other(pair)).collect::<Range>().outside(of(beside[0]));
-    let (now, before): (Side, Side) = (|pair| round_to_half(pair.now), |pair| round_to_half(pair.before));
+    let (now, before): (Side, Side) = (|pair| round_to_half(luminance(pair.now)), |pair| round_to_half(luminance(pair.before)));
     let (now, before) = (outside(now, before), outside(before, now));
     (beside.len() as f32 - 0.5) * 0.5 * (now * now + before * before)
 }
@@ -145,7 +173,7 @@ pub(crate) const DIFFERENCE: Rule =
 pub(crate) const RULES: &[Rule] = &[DIFFERENCE];
 
 /// The departure of an irradiance from the history that a pass binds.
-pub(crate) fn difference_from_history(b: &Bindings, irradiance: &Image<[f32; 4]>) -> Result<Image<[u16; 4]>, Error> {
+pub(crate) fn difference_from_history(b: &Bindings, irradiance: &Image<[f32; 4]>) -> Result<Image<[u32; 4]>, Error> {
     let luminance_history = luminance_history_of(b.uint("previous_luminance_history")?);
     let history = SignalHistory { irradiance: b.colour("history")?, luminance_history: &luminance_history };
     Ok(block_difference(b.frame, b.tuning, &BlockDifferenceInputs { guides: HistoryGuides::of(b)?, irradiance, history }))

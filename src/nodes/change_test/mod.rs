@@ -6,8 +6,8 @@ pub(crate) mod twin;
 
 use super::{pass, BLOCK_SIZE};
 use crate::contract::{Grid, Lifetime};
-use crate::graph::{Confidence, Difference, Graph, Image, Port, Steadiness, CONFIDENCE};
-use crate::shaders;
+use crate::graph::{Confidence, Difference, Graph, LightRatio, Pass, Port, Steadiness, CONFIDENCE, HDR};
+use crate::shaders::{self, Shader};
 
 /// Result of the change test of a history, for [`Graph::history_confidence`].
 #[derive(Clone, Copy, Debug)]
@@ -27,7 +27,8 @@ impl From<Confidence> for ChangeTest {
 impl Graph {
     /// Confidence in the history, which falls where a mean over 24×24 pixels departs by more than its standard error explains.
     pub fn change_test(&mut self, difference: &Difference) -> Confidence {
-        self.add_change_test(difference, None, false)
+        let pass = self.testing(&shaders::CHANGE_TEST_RATIO_0, difference);
+        self.confidence_of(pass, difference)
     }
 
     /// [`Self::change_test`], and in the same pass the certainty that nothing changed, from 1 to −1: neither that
@@ -35,22 +36,30 @@ impl Graph {
     pub fn change_and_steadiness(&mut self, difference: &Difference) -> ChangeTest {
         let label = self.label_of(difference);
         let steadiness = self.named_image("steadiness", &label, CONFIDENCE, BLOCK_SIZE, Lifetime::Transient);
-        let confidence = self.add_change_test(difference, Some(steadiness), false);
+        let pass = self.testing(&shaders::CHANGE_TEST_RATIO_0, difference).bind("steadiness", steadiness);
+        let confidence = self.confidence_of(pass, difference);
         ChangeTest { confidence, steadiness: Some(Port::of(self.refreshed(steadiness))) }
     }
 
-    /// `of_both`: both signals have a confidence of their own, in one number.
-    pub(super) fn add_change_test(&mut self, difference: &Difference, steadiness: Option<Image>, of_both: bool) -> Confidence {
+    /// [`Self::change_test`], and by how much the light of each component changed, block by block. `of_both`: both signals have a confidence
+    /// of their own, in one number, and the ratio is that of the first.
+    pub(super) fn change_and_ratio(&mut self, difference: &Difference, of_both: bool) -> (Confidence, LightRatio) {
         let label = self.label_of(difference);
-        let node = self.node("change_test", &label);
+        let ratio = self.named_image("light_ratio", &label, HDR, BLOCK_SIZE, Lifetime::Transient);
+        let pass =
+            self.testing(&shaders::CHANGE_TEST_RATIO_1, difference).constant("BOTH", of_both.into()).bind("light_ratio", ratio);
+        (self.confidence_of(pass, difference), LightRatio { image: self.refreshed(ratio), stratum_size: BLOCK_SIZE })
+    }
+
+    fn testing(&mut self, shader: &'static Shader, difference: &Difference) -> Pass {
+        let node = self.node("change_test", &self.label_of(difference));
+        pass(&node, shader).grid(Grid::Columns(BLOCK_SIZE)).each("block_difference", difference.images())
+    }
+
+    fn confidence_of(&mut self, pass: Pass, difference: &Difference) -> Confidence {
+        let label = self.label_of(difference);
         let confidence = self.named_image("history_confidence", &label, CONFIDENCE, 1, Lifetime::Transient);
-        let pass = pass(&node, &shaders::CHANGE_TEST)
-            .grid(Grid::Columns(BLOCK_SIZE))
-            .constant("BOTH", of_both.into())
-            .bind("history_confidence", confidence)
-            .each("block_difference", difference.images())
-            .bind_some("steadiness", steadiness);
-        self.add(pass);
+        self.add(pass.bind("history_confidence", confidence));
         Port::of(self.refreshed(confidence))
     }
 }

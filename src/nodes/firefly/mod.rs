@@ -8,7 +8,7 @@ pub(crate) mod twin;
 use super::{block_difference, pass, BLOCK_SIZE};
 use crate::contract::{Grid, Lifetime};
 use crate::graph::{
-    Difference, FireflyLimits, Graph, Guides, History, Image, Irradiance, Pass, Percentiles, Port, VolumeRadiance, PACKED_64,
+    Difference, FireflyLimits, Graph, Guides, History, Image, Irradiance, Pass, Percentiles, Port, VolumeRadiance, PACKED_128,
 };
 use crate::shaders::{self, Shader};
 
@@ -28,7 +28,7 @@ impl Graph {
         history: &History,
         is_specular: bool,
     ) -> (Irradiance, Difference, FireflyLimits) {
-        let difference: Difference = self.image_each(irradiance, "block_difference", PACKED_64, BLOCK_SIZE);
+        let difference: Difference = self.image_each(irradiance, "block_difference", PACKED_128, BLOCK_SIZE);
         let mut all = Vec::new();
         for (i, image) in irradiance.images().iter().enumerate() {
             let label = self.label(*image).to_owned();

@@ -6,7 +6,7 @@ pub(crate) mod twin;
 
 use super::{pass, ChangeTest, BLOCK_SIZE};
 use crate::contract::{Grid, Input, Lifetime};
-use crate::graph::{Confidence, Difference, Gradient, Graph, Pass, Port, CONFIDENCE};
+use crate::graph::{Confidence, Difference, Gradient, Graph, LightRatio, Pass, Port, CONFIDENCE};
 use crate::shaders;
 
 impl Graph {
@@ -24,16 +24,24 @@ impl Graph {
     }
 
     /// [`Self::history_confidence`] with [`Self::change_and_steadiness`] of `difference` in the same pass; without a gradient
-    /// [`Self::change_test`]. `of_both`: of diffuse light, and beside it, in the last bits, that of specular light without the ratio, by the
+    /// [`Self::change_test`]. With the ratio by which the light changed, if it is known. `of_both`: of diffuse light, and beside it, in the last bits, that of specular light without the ratio, by the
     /// differences of both, or of light that is mixed.
-    pub(crate) fn tested_confidence(&mut self, gradient: Option<&Gradient>, difference: &Difference, of_both: bool) -> Confidence {
-        let Some(gradient) = gradient else { return self.add_change_test(difference, None, of_both) };
+    pub(crate) fn tested_confidence(
+        &mut self,
+        gradient: Option<&Gradient>,
+        difference: &Difference,
+        of_both: bool,
+    ) -> (Confidence, Option<LightRatio>) {
+        let Some(gradient) = gradient else {
+            let (confidence, ratio) = self.change_and_ratio(difference, of_both);
+            return (confidence, Some(ratio));
+        };
         let node = self.node("history_confidence", "");
         let pass = pass(&node, &shaders::HISTORY_CONFIDENCE_SOURCE_2)
             .grid(Grid::Columns(BLOCK_SIZE))
             .constant("BOTH", of_both.into())
             .each("block_difference", difference.images());
-        self.confidence_by(of_gradient(pass, gradient))
+        (self.confidence_by(of_gradient(pass, gradient)), gradient.light_ratio)
     }
 
     /// Whether a confidence has that of specular light beside it.

@@ -100,7 +100,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         let confidence = of_gradient(b, other, steadiness, b.optional_colour("light_ratio")?)?;
         return b.write("history_confidence", confidence);
     }
-    let (differences, light_ratio) = (b.packed_signals("block_difference")?, b.optional_colour("light_ratio")?);
+    let (differences, light_ratio) = (b.wides("block_difference")?, b.optional_colour("light_ratio")?);
     let confidence = if b.is_on("BOTH")? {
         // Of light that is mixed there is one difference.
         let of_images = &differences[differences.len() - 1..];
@@ -112,8 +112,8 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     b.write("history_confidence", confidence)
 }
 
-fn tested(b: &Bindings, differences: &[&Image<[u16; 4]>], light_ratio: Option<&Image<[f32; 4]>>) -> Result<Image<f32>, Error> {
-    let tested = change_test(b.frame, b.tuning, b.extent_of("history_confidence")?, differences);
+fn tested(b: &Bindings, differences: &[&Image<[u32; 4]>], light_ratio: Option<&Image<[f32; 4]>>) -> Result<Image<f32>, Error> {
+    let tested = change_test(b.frame, b.tuning, b.extent_of("history_confidence")?, differences, false);
     of_gradient(b, Some(&tested.history_confidence), Some(&tested.steadiness), light_ratio)
 }
 
