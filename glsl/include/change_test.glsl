@@ -46,8 +46,7 @@ const float RATIO_FLOOR = 1e-3;
 const uint WIDTH = ROW_BLOCKS + 4u;
 const uint CHANGES_WIDTH = ROW_BLOCKS + 2u;
 const uint CHANGES = CHANGES_WIDTH * 3u;
-// Packed: shared memory decides how many workgroups run at once.
-shared uvec4 blocks[WIDTH * 5u];
+shared BlockDifference blocks[WIDTH * 5u];
 shared float changes[2u * CHANGES];
 shared float departures[2u * CHANGES];
 // 1, sure that nothing changed, to -1, sure that something did.
@@ -61,7 +60,7 @@ void load_blocks(utexture2D block_difference) {
     uint i = gl_LocalInvocationIndex;
     if (i >= WIDTH * 5u) return;
     ivec2 block = first_block() + ivec2(int(i % WIDTH), int(i / WIDTH)) - 2;
-    blocks[i] = is_block(block) ? texelFetch(block_difference, block, 0) : uvec4(0u);
+    blocks[i] = unpack_block_difference(is_block(block) ? texelFetch(block_difference, block, 0) : uvec4(0u));
 }
 
 // A difference in standard errors.
@@ -82,9 +81,7 @@ float median_of(mat3 rows) {
 // Standard deviation of normal noise over the median of its sizes.
 const float DEVIATION_BY_MEDIAN = 1.4826;
 
-BlockDifference block_at(uint place) { return unpack_block_difference(blocks[place]); }
-
-vec3 means_from(uint place) { return vec3(block_at(place).mean, block_at(place + 1u).mean, block_at(place + 2u).mean); }
+vec3 means_from(uint block) { return vec3(blocks[block].mean, blocks[block + 1u].mean, blocks[block + 2u].mean); }
 
 // Of the means of 3x3 blocks. Medians, so that an edge that moves through three of them is no noise of all.
 float spread_from(uint corner) {
@@ -128,7 +125,7 @@ Change change_of(uint corner) {
     bool complete = true;
     // Few invocations come here, and where branches are masked instead of skipped only a loop ends.
     [[dont_unroll]] for (uint i = 0u; i < 9u; ++i) {
-        BlockDifference block = block_at(corner + i % 3u + WIDTH * (i / 3u));
+        BlockDifference block = blocks[corner + i % 3u + WIDTH * (i / 3u)];
         float of_sum = block.count * block.mean, of_variance = block.count * block.deviation * block.deviation;
         float of_brighter = block.count * block.brighter;
         squares += block.count * block.count;
@@ -152,7 +149,7 @@ Change change_of(uint corner) {
     vec2 mean = push.change_threshold * STEADY_MEAN, block = push.change_threshold * STEADY_BLOCK;
     float steady = count == 0.0 ? 0.0 : (1.0 - lin(mean.x, mean.y, errors)) * (1.0 - lin(block.x, block.y, worst));
     noise = sqrt(noise / max(count, 1.0));
-    BlockDifference own = block_at(corner + 1u + WIDTH);
+    BlockDifference own = blocks[corner + 1u + WIDTH];
     float explained = own.brighter * max(noise, CHANGE_EPSILON * push.change_threshold), square = own.mean * own.mean + own.deviation * own.deviation;
     float is_quiet = (1.0 - lin(QUIET, LOUD, noise)) * (1.0 - lin(SPREAD, RARE, past_noise));
     float departs = is_quiet * lin(1.0, 2.0, square / max(explained * explained, 1e-12));
