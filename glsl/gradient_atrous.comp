@@ -52,9 +52,6 @@ const uint FIRST_KEPT_LEVEL = 2u;
 ivec2 pixel_of(ivec2 s, GuideBits packed) { return pixel_at(s, packed.bits.x & 0xfu); }
 
 #if RATIO
-const float LARGEST_RATIO = 64.0;
-// Share of the brightest component, below which a component has no ratio of its own.
-const float RATIO_FLOOR = 1e-3;
 // Few samples that agree may do so by chance: a spread that each sample has besides.
 const float LEAST_SPREAD = 0.3;
 // The spread of a ratio that no sample has.
@@ -92,7 +89,7 @@ vec4 light_ratio(vec4 before, vec4 now) {
     float error = error_of(before, now);
     float coherence = sample_coherence(spread_of(before, now)) * clamp(2.0 - rareness_of(before, now) / LARGEST_RARENESS, 0.0, 1.0);
     float sum_before = sum_of(before.rgb), sum_now = sum_of(now.rgb);
-    float least = RATIO_FLOOR * max(before.r, max(before.g, before.b)) + 1e-6;
+    float least = floor_of_ratio(before.rgb);
     vec3 own = min((now.rgb + least) / (before.rgb + least), LARGEST_RATIO);
     float whole = min((sum_now + least) / (sum_before + least), LARGEST_RATIO);
     float change = (sum_now - sum_before) / max(max(sum_before, sum_now), 1e-6);

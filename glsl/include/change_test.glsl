@@ -5,6 +5,7 @@
 #ifndef CHANGE_TEST_GLSL
 #define CHANGE_TEST_GLSL
 #include "blocks.glsl"
+#include "light_ratio.glsl"
 #include "optional.glsl"
 
 float lin(float a, float b, float x) { return clamp((x - a) / (b - a), 0.0, 1.0); }
@@ -38,9 +39,6 @@ const float WORTH_OF_PART = 0.5;
 
 // Errors of the mean, as shares of the light, between which a ratio of light is no longer known.
 const vec2 KNOWN = vec2(0.1, 0.2);
-const float LARGEST_RATIO = 64.0;
-// Share of the brightest component, below which a component has no ratio of its own.
-const float RATIO_FLOOR = 1e-3;
 
 // The blocks of the row with two around them, and the change of these with one around them.
 const uint WIDTH = ROW_BLOCKS + 4u;
@@ -175,7 +173,7 @@ void share(uint place, Change change) {
 // By which each component of the light changed; in alpha -1 where there is no history.
 vec4 ratio_of(Change change) {
     vec3 now = max(change.now, 0.0), before = max(change.before, 0.0);
-    float least = RATIO_FLOOR * max(before.r, max(before.g, before.b)) + 1e-6;
+    float least = floor_of_ratio(before);
     vec3 ratio = clamp((now + least) / (before + least), 1.0 / LARGEST_RATIO, LARGEST_RATIO);
     return vec4(pow(ratio, vec3(push.adaptivity * max(change.power, 0.0))), change.power < 0.0 ? -1.0 : 1.0);
 }

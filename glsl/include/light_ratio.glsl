@@ -2,6 +2,13 @@
 #ifndef LIGHT_RATIO_GLSL
 #define LIGHT_RATIO_GLSL
 
+const float LARGEST_RATIO = 64.0;
+// Share of the brightest component, below which a component has no ratio of its own.
+const float RATIO_FLOOR = 1e-3;
+
+// Light that is added to both sides of a ratio.
+float floor_of_ratio(vec3 before) { return RATIO_FLOOR * max(before.r, max(before.g, before.b)) + 1e-6; }
+
 // Relative spreads of a ratio: below the first of both numbers it is none, above the second there is no ratio. Samples of one place may
 // differ, as long as their mean is known.
 const vec2 SAMPLE_SPREADS = vec2(0.2, 0.5);

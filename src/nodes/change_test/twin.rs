@@ -7,6 +7,7 @@ use crate::reference::bindings::Bindings;
 use crate::reference::blocks::{block_of, Blocks, BLOCK_SIZE};
 use crate::reference::both_confidences::both_confidences;
 use crate::reference::compare::{Condition, Reading, Rule, Unit};
+use crate::reference::light_ratio::{floor_of_ratio, LARGEST_RATIO};
 use crate::reference::luminance::{luminance, PARTS};
 use crate::reference::rules::{pixels, rule, STEEP};
 use crate::reference::Image;
@@ -44,9 +45,6 @@ const WORTH_OF_PART: f32 = 0.5;
 
 /// Errors of the mean, as shares of the light, between which a ratio of light is no longer known.
 const KNOWN: [f32; 2] = [0.1, 0.2];
-const LARGEST_RATIO: f32 = 64.0;
-/// Share of the brightest component, below which a component has no ratio of its own.
-const RATIO_FLOOR: f32 = 1e-3;
 
 /// Outputs of [`change_test`].
 #[derive(Clone, Debug, PartialEq)]
@@ -96,7 +94,7 @@ pub(crate) fn change_test(
 
 fn ratio_of(tuning: &Tuning, change: &Change) -> [f32; 4] {
     let [now, before] = [change.now, change.before].map(|light| light.map(|c| c.max(0.0)));
-    let least = RATIO_FLOOR * before.into_iter().fold(0.0, f32::max) + 1e-6;
+    let least = floor_of_ratio(before);
     let ratio = |c: usize| ((now[c] + least) / (before[c] + least)).clamp(1.0 / LARGEST_RATIO, LARGEST_RATIO);
     let power = tuning.adaptivity * change.power.max(0.0);
     let [r, g, b] = [0, 1, 2].map(|c| ratio(c).powf(power));

@@ -6,7 +6,7 @@ use crate::reference::bindings::Bindings;
 use crate::reference::compare::{Condition, Rule, Tolerance};
 use crate::reference::geometry_weights::depth_and_normal_weight;
 use crate::reference::guide::{unpack_guide, Surface};
-use crate::reference::light_ratio::sample_coherence;
+use crate::reference::light_ratio::{floor_of_ratio, sample_coherence, LARGEST_RATIO};
 use crate::reference::rules::{strata, WEIGHTED};
 use crate::reference::strata::Strata;
 use crate::reference::Image;
@@ -84,9 +84,6 @@ const FIRST_KEPT_LEVEL: u32 = 2;
 /// The ratio of the background.
 const NO_RATIO: [f32; 4] = [1.0, 1.0, 1.0, -1.0];
 
-const LARGEST_RATIO: f32 = 64.0;
-/// Share of the brightest component, below which a component has no ratio of its own.
-const RATIO_FLOOR: f32 = 1e-3;
 /// Few samples that agree may do so by chance: a spread that each sample has besides.
 const LEAST_SPREAD: f32 = 0.3;
 /// The spread of a ratio that no sample has.
@@ -106,7 +103,7 @@ pub(crate) fn light_ratio(before: [f32; 4], now: [f32; 4]) -> [f32; 4] {
     let believed = (2.0 - rareness_of(before, now) / LARGEST_RARENESS).clamp(0.0, 1.0);
     let coherence = sample_coherence(spread_of(before, now)) * believed;
     let [sum_before, sum_now] = [before, now].map(sum_of);
-    let least = RATIO_FLOOR * before[..3].iter().copied().fold(0.0, f32::max) + 1e-6;
+    let least = floor_of_ratio([before[0], before[1], before[2]]);
     let ratio = |before: f32, now: f32| ((now + least) / (before + least)).min(LARGEST_RATIO);
     let change = (sum_now - sum_before) / sum_before.max(sum_now).max(1e-6);
     let noise = (COLOUR_NOISE * error * error / (change * change).max(1e-8)).clamp(0.0, 1.0);
